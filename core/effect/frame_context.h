@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace burin::effect {
+
+/// What a frame knows that effect parameters ask for. Matrices are column-vector matrices (clip = P * V * p) in
+/// glm's storage; core/effect gives shaders the transposes that Direct3D's row vectors expect. Clip z is 0..w.
+struct FrameContext {
+  long frame = 1;             ///< absolute frame number
+  double time_s = 0.0;        ///< (frame - 1) / fps
+  double elapsed_s = 0.0;     ///< 1 / fps
+  int width = 0;              ///< of the frame, pixels
+  int height = 0;
+  glm::mat4 view_from_world{1.0f};
+  glm::mat4 clip_from_view{1.0f};
+  glm::mat4 previous_view_from_world{1.0f};
+  glm::mat4 previous_clip_from_view{1.0f};
+  glm::mat4 world_from_object{1.0f};   ///< identity but for the draws of a custom attribute
+  glm::vec3 eye_world{0.0f};
+  glm::vec3 light_direction_world{0.0f, -1.0f, 0.0f};   ///< towards which the key light shines, unit
+  glm::vec4 light_color{1.0f};
+};
+
+}  // namespace burin::effect

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/gbuffer/attribute_table.h"
+#include "core/gl/texture.h"
+#include "core/image/image.h"
+#include "core/scene/camera.h"
+#include "core/scene/pose.h"
+#include "core/scene/scene.h"
+
+namespace burin::gbuffer {
+
+/// One attribute to fill. Colour in a kSceneLinear target has associated (premultiplied) alpha, as EXR; in a kDisplay target
+/// it is encoded by the sRGB transfer function with unassociated alpha, as PNG. Other display transforms are the caller's:
+/// it asks for kSceneLinear in a float target and converts. Signed attributes are stored as 0.5x + 0.5 in kUnorm targets.
+/// Ids in kUnorm targets: n / (2^bits - 1) in one component; in several, n's digits to that base, least significant first in r.
+struct Request {
+  Attribute attribute = Attribute::kColor;
+  const gl::Texture* target = nullptr;    ///< its size is the size that is rendered (supersampling: larger)
+  image::Encoding encoding = image::Encoding::kSceneLinear;   ///< of colour attributes
+};
+
+/// Everything about one frame that the renderer does not keep.
+struct FrameInput {
+  scene::View view;
+  scene::View previous_view;
+  const scene::Pose* pose = nullptr;              ///< for lights
+  std::span<const scene::DrawItem> items;
+  glm::vec4 background{0.0f};                     ///< of `color`, scene-linear with associated alpha (--background)
+};
+
+/// Draws one item's geometry with the caller's program bound; attributes at gl::VertexLocation.
+struct GeometryDraw {
+  glm::mat4 world_from_object{1.0f};
+  int material = scene::kNone;
+  std::uint32_t vertex_array = 0;
+  std::uint32_t mode = 0;                         ///< GLenum
+  int index_count = 0;                            ///< GL_UNSIGNED_INT indices from 0
+};
+
+/// Renders G-buffer attributes of one scene. Static geometry is uploaded once; deformed vertices every frame.
+class SceneRenderer {
+ public:
+  /// `environment`: equirectangular scene-linear RGB float image for --environment, or null for the built-in neutral one.
+  [[nodiscard]] static Result<std::unique_ptr<SceneRenderer>> Create(const scene::Scene& scene,
+                                                                     const image::Image* environment);
+  virtual ~SceneRenderer() = default;
+  /// Fills every request's target, grouped by size into as few geometry passes as draw buffers allow.
+  [[nodiscard]] virtual Result<void> Render(const FrameInput& frame, std::span<const Request> requests) = 0;
+  /// The frame's draws for a custom attribute's own shaders; valid until the next Render or Draws.
+  [[nodiscard]] virtual Result<std::vector<GeometryDraw>> Draws(const FrameInput& frame) = 0;
+};
+
+/// Fills attributes from a picture (an image, a video's frame, an earlier effect's result): `color` and `video` are the
+/// picture, `intensity` and `alpha` follow from it, the others hold their background values. Sizes may differ (bilinear);
+/// at one size and one format the copy is bit-exact. `picture_encoding` says what `picture` holds.
+class PictureRenderer {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<PictureRenderer>> Create();
+  virtual ~PictureRenderer() = default;
+  [[nodiscard]] virtual Result<void> Render(const gl::Texture& picture, image::Encoding picture_encoding,
+                                            std::span<const Request> requests) = 0;
+};
+
+}  // namespace burin::gbuffer

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/image/image_module.h"
+
+namespace burin::render {
+
+/// Everything that `burin render` was asked for, as values; checked for form, not yet against files.
+struct Job {
+  std::vector<std::string> effects;        ///< files, in chain order
+  std::string source;                      ///< scene, image, sequence pattern, video, "-"; empty: none
+  std::string output;                      ///< file, pattern, video, "-"
+  std::vector<std::string> include_folders;
+  std::vector<std::pair<std::string, std::string>> definitions;
+  std::vector<std::pair<std::string, std::string>> parameters;
+  std::string technique;
+  std::vector<std::string> attributes;     ///< --attributes
+  std::vector<long> frames;                ///< empty: all that the source has
+  std::optional<double> fps;
+  std::optional<std::pair<int, int>> size;
+  std::string camera;
+  double orbit_deg = 0.0;
+  std::string animation = "auto";
+  std::string environment;
+  std::optional<std::array<float, 4>> background;   ///< scene-linear RGBA behind a scene; absent: transparent
+  image::ColorOptions color;
+  std::string device = "auto";
+  int threads = 0;
+  int depth_bits = 0;                      ///< 0: the output's usual
+  int quality = 95;
+  bool keep_going = false;
+  bool make_folders = false;
+};
+
+}  // namespace burin::render

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A scene at one time: animation, hierarchy, skins and morphs evaluated on the CPU, in parallel over vertices.
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/scene/scene.h"
+
+namespace burin::scene {
+
+/// Which animations play. Indices in Scene::animations.
+using AnimationSelection = std::vector<int>;
+
+/// "auto": every animation whose targets no earlier one moves; "all", "none", a name or an index. kUsage otherwise,
+/// naming what there is.
+[[nodiscard]] Result<AnimationSelection> SelectAnimations(const Scene& scene, const std::string& choice);
+
+/// The longest duration of the selection, seconds; 0 when nothing moves.
+[[nodiscard]] float Duration(const Scene& scene, const AnimationSelection& selection);
+
+struct Pose {
+  std::vector<glm::mat4> world_from_node;        ///< one a node
+  std::vector<std::vector<float>> weights;       ///< one a node with a morphed mesh; else empty
+};
+
+/// `time_s` is taken modulo each animation's duration (loops), clamped at 0 for negative times' remainder.
+[[nodiscard]] Pose EvaluatePose(const Scene& scene, const AnimationSelection& selection, double time_s);
+
+/// Vertices of a primitive after morph and skin, at this frame and at the previous one. Arrays as long as the primitive's;
+/// `normals`/`tangents` empty where the primitive has none.
+struct DeformedVertices {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> previous_positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec4> tangents;
+};
+
+/// One primitive of one node, as drawn in one frame.
+struct DrawItem {
+  int node = kNone;
+  int mesh = kNone;
+  int primitive = kNone;                  ///< in the mesh
+  std::uint32_t object_id = 0;            ///< 1 + the node's index among the nodes with a mesh, in node order
+  std::uint32_t material_id = 0;          ///< 1 + the material's index; 0: the default material
+  std::uint32_t first_primitive_id = 0;   ///< of this item; ids run on over a frame, from 1, background 0
+  bool is_deformed = false;               ///< then `deformed` holds world-space (skinned) or object-space vertices
+  DeformedVertices deformed;
+  glm::mat4 world_from_object{1.0f};
+  glm::mat4 previous_world_from_object{1.0f};
+};
+
+/// What a frame draws: `pose` now and `previous` one frame earlier (for velocities), in node order.
+[[nodiscard]] std::vector<DrawItem> BuildDrawItems(const Scene& scene, const Pose& pose, const Pose& previous);
+
+/// World-space bounds of the items (min, max); min > max when empty.
+struct Bounds {
+  glm::vec3 min{1e30f};
+  glm::vec3 max{-1e30f};
+  [[nodiscard]] bool empty() const { return min.x > max.x; }
+};
+[[nodiscard]] Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items);
+
+}  // namespace burin::scene

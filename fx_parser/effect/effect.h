@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The result of the front end: plain data and GLSL.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fx_parser/effect/format.h"
+#include "fx_parser/effect/state.h"
+#include "fx_parser/effect/value.h"
+#include "fx_parser/source/source.h"
+#include "fx_parser/syntax/ast.h"
+
+namespace burin::fx {
+
+struct EffectAnnotation {
+  std::string name;
+  Value value;
+};
+
+/// A numeric, string or struct global that the host may set. Static and const globals are no parameters.
+struct Parameter {
+  std::string name;
+  Type type;
+  std::string semantic;     ///< as written; compared without case
+  std::vector<EffectAnnotation> annotations;
+  Value default_value;      ///< evaluated; zeros when the effect gives none (then has_default is false)
+  bool has_default = false;
+  Range range;
+};
+
+/// GBA<attribute>_<FORMAT>[_S<scale>]
+struct AttributeRole {
+  std::string attribute;    ///< lower case, a name of Options::attributes, or that of a technique GBA<attribute>
+  bool is_custom = false;   ///< filled by the technique GBA<attribute>
+};
+/// PASS<k>_<FORMAT>[_S<scale>][_RT<j>]
+struct PassResultRole {
+  int pass = 0;
+  int target = 0;
+};
+/// Any other texture: a file named by an annotation or --param, or a stand-in.
+struct FileRole {
+  std::string file;         ///< of ResourceName / name / source / texture annotations; empty: none named
+};
+
+struct Texture {
+  std::string name;
+  Dimension dimension = Dimension::k2D;
+  std::variant<FileRole, AttributeRole, PassResultRole> role;
+  Format format = Format::kA8R8G8B8;   ///< of attributes and pass results
+  double scale = 1.0;                  ///< against the frame
+  std::string semantic;
+  std::vector<EffectAnnotation> annotations;
+  Range range;
+};
+
+struct Sampler {
+  std::string name;
+  Dimension dimension = Dimension::k2D;
+  std::optional<std::size_t> texture;  ///< index in Effect::textures; empty: none bound
+  std::vector<SamplerState> states;    ///< only those that the file sets, in order
+  Range range;
+};
+
+/// The two stages of one pass, emitted as a pair.
+struct ShaderProgram {
+  std::string vertex_glsl;
+  std::string fragment_glsl;
+  std::string vertex_entry;                 ///< "VSEdgeFilter", empty: the pass-through
+  std::string fragment_entry;               ///< empty: the pass has no pixel shader (depth and stencil only)
+  std::vector<std::size_t> parameters;      ///< indices in Effect::parameters that either stage reads
+  std::vector<std::size_t> samplers;        ///< indices in Effect::samplers, in the order of their texture units
+  std::vector<std::string> vertex_inputs;   ///< semantics read: "POSITION0", "TEXCOORD3"
+  int targets = 1;                          ///< fragment outputs written: highest index + 1
+  bool writes_depth = false;
+  bool alpha_test = false;                  ///< the text reads kUniformAlphaTest
+};
+
+struct Pass {
+  std::string name;
+  std::vector<EffectAnnotation> annotations;
+  std::vector<PassState> states;
+  ShaderProgram program;
+  /// Indices in Effect::textures of this pass's targets, by target number; empty: it draws into the frame.
+  std::vector<std::size_t> targets;
+  Range range;
+};
+
+struct Technique {
+  std::string name;
+  std::vector<EffectAnnotation> annotations;
+  std::vector<Pass> passes;
+  std::string custom_attribute;             ///< of a technique named GBA<attribute>: lower case; else empty
+  std::vector<std::string> unsupported;     ///< why this host cannot run it ("pass P0: asm shaders"); empty: it can
+  Range range;
+};
+
+/// Owns its syntax tree, which state expressions point into. Move-only.
+struct Effect {
+  std::string path;
+  std::vector<Parameter> parameters;
+  std::vector<Texture> textures;
+  std::vector<Sampler> samplers;
+  std::vector<Technique> techniques;
+  /// True when any texture has one of the extension's names: texel meets pixel with no half-pixel offset.
+  bool uses_extension = false;
+  std::shared_ptr<const ast::Module> module;
+};
+
+[[nodiscard]] const EffectAnnotation* FindAnnotation(const std::vector<EffectAnnotation>&, std::string_view name);
+
+}  // namespace burin::fx
