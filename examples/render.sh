@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Renders every example into out/ with the exact commands that a user would type; prints each before it runs.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+burin=${BURIN:-build/release/bin/burin}
+out=${1:-out}
+[ -x "$burin" ] || { echo "render.sh: error: $burin is not built; run ./quickstart first" >&2; exit 1; }
+mkdir -p "$out/effects"
+
+run() {
+  printf '\n$ burin'
+  printf ' %q' "$@"
+  printf '\n'
+  "$burin" "$@"
+}
+
+# A scene through an effect, as PNG and as EXR.
+run render edges/dilated_edges examples/still_life.glb -o "$out/dilated_edges.png" --size 1024x1024
+run render filter/supersample examples/still_life.glb -o "$out/supersample.exr" --size 1024x1024
+# The scene itself, and its G-buffer as the layers of one EXR.
+run render examples/still_life.glb -o "$out/still_life.png" --size 1024x1024
+run render examples/still_life.glb --attributes color,normal,depth,position,objectid,velocity -o "$out/gbuffer.exr" --size 1024x1024
+# An animation to video.
+run render edges/dilated_edges examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk_edges.mkv"
+run render examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk.mkv"
+# A video through effects.
+run render edges/sobel "$out/walk.mkv" -o "$out/walk_sobel.mkv"
+run render filter/gaussian "$out/walk.mkv" -o "$out/walk_gaussian.mp4"
+# Each shipped effect on the same scene.
+"$burin" effects | while read -r name _; do
+  run render "$name" examples/still_life.glb -o "$out/effects/${name//\//_}.png" --size 800x600 </dev/null
+done
+
+printf '\nThe pictures and videos are in %s/:\n' "$out"
+find "$out" -type f | sort | sed 's/^/  /'
