@@ -56,6 +56,10 @@ struct TechniqueChoice {
 /// What colour-like values the technique's frame holds (annotation ColorSpace, else fixed-point or floating inputs).
 [[nodiscard]] image::Encoding FrameEncoding(const fx::Effect& effect, std::size_t technique);
 
+/// Whether `--param NAME=...` can mean this effect: a parameter, or a texture that takes a file. In a chain the caller
+/// hands each effect only the overrides that it accepts.
+[[nodiscard]] bool AcceptsParameter(const fx::Effect& effect, const std::string& name);
+
 /// Runs one effect at one frame size: owns its programs, targets and frame.
 class EffectRunner {
  public:

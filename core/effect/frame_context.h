@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -23,6 +25,8 @@ struct FrameContext {
   glm::vec3 eye_world{0.0f};
   glm::vec3 light_direction_world{0.0f, -1.0f, 0.0f};   ///< towards which the key light shines, unit
   glm::vec4 light_color{1.0f};
+  /// Of a key light that has a place; absent, effects that ask for one get a point far against its direction.
+  std::optional<glm::vec3> light_position_world;
 };
 
 }  // namespace burin::effect

@@ -63,6 +63,8 @@ class PictureRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PictureRenderer>> Create();
   virtual ~PictureRenderer() = default;
+  /// True when the filled target would read exactly as `picture` does, so that the caller may use the picture instead.
+  [[nodiscard]] static bool CanAlias(const gl::Texture& picture, image::Encoding picture_encoding, const Request& request);
   [[nodiscard]] virtual Result<void> Render(const gl::Texture& picture, image::Encoding picture_encoding,
                                             std::span<const Request> requests) = 0;
 };

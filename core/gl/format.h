@@ -21,4 +21,12 @@ struct Format {
   bool operator==(const Format&) const = default;
 };
 
+/// Bits of r, g, b and a as they are stored; 0 where the format has none.
+[[nodiscard]] std::array<int, 4> ComponentBits(const Format& format);
+
+/// True for A8: the one component is read from alpha, (0,0,0,a).
+[[nodiscard]] bool IsAlphaOnly(const Format& format);
+/// True for L8, L16 and A8L8: red is read as r, g and b.
+[[nodiscard]] bool IsLuminance(const Format& format);
+
 }  // namespace burin::gl

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/gl/handle.h"
@@ -25,6 +26,7 @@ class Program {
 
  private:
   ProgramHandle handle_;
+  mutable std::unordered_map<std::string, int> locations_;
 };
 
 }  // namespace burin::gl

@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "core/image/image_module.h"
+#include "core/video/video_module.h"
 
 namespace burin::render {
+
+/// Whether the frame's alpha goes into the file: kAuto keeps it where the source has one (scenes, pictures with alpha).
+enum class AlphaOutput { kAuto, kKeep, kDrop };
 
 /// Everything that `burin render` was asked for, as values; checked for form, not yet against files.
 struct Job {
@@ -21,11 +25,13 @@ struct Job {
   std::vector<std::pair<std::string, std::string>> parameters;
   std::string technique;
   std::vector<std::string> attributes;     ///< --attributes
-  std::vector<long> frames;                ///< empty: all that the source has
-  std::optional<double> fps;
+  std::vector<long> frames;                ///< ascending; empty: all that the source has
+  std::optional<video::FrameRate> fps;
   std::optional<std::pair<int, int>> size;
   std::string camera;
   double orbit_deg = 0.0;
+  /// Frames of a full turn that ends where it began (frame 1 + turntable_frames looks like frame 1); 0: no turning.
+  long turntable_frames = 0;
   std::string animation = "auto";
   std::string environment;
   std::optional<std::array<float, 4>> background;   ///< scene-linear RGBA behind a scene; absent: transparent
@@ -33,6 +39,8 @@ struct Job {
   std::string device = "auto";
   int threads = 0;
   int depth_bits = 0;                      ///< 0: the output's usual
+  AlphaOutput alpha = AlphaOutput::kAuto;
+  std::optional<video::Chroma> chroma;     ///< of y4m; absent: the source's, else 4:4:4
   int quality = 95;
   bool keep_going = false;
   bool make_folders = false;

@@ -37,6 +37,7 @@ struct Primitive {
   std::array<std::vector<glm::vec4>, 2> weights;
   std::vector<std::uint32_t> indices;   ///< 2 a line, 3 a triangle, 1 a point; all < positions.size()
   int material = kNone;                 ///< kNone: the default material
+  bool flat_normals = false;            ///< made: every triangle has its own vertices and its plane's normal (also when deformed)
   struct MorphTarget {
     std::vector<glm::vec3> positions, normals, tangents;   ///< displacements; empty or one a vertex
   };

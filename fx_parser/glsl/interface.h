@@ -16,6 +16,7 @@
 // Coordinates:     glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE).
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace burin::fx {
@@ -34,5 +35,8 @@ inline constexpr int kMaxTargets = 8;
 /// POSITION 0, NORMAL 1, TANGENT 2, BINORMAL 3, COLOR0 4, COLOR1 5, BLENDWEIGHT 6, BLENDINDICES 7, TEXCOORD0..7 8..15.
 /// `semantic` in upper case with its index ("TEXCOORD0"); empty for a semantic that is no vertex input.
 [[nodiscard]] std::optional<int> VertexInputLocation(std::string_view semantic);
+
+/// The name that a struct's member has in the text: its own, unless GLSL reserves that ("sample" is "m_sample").
+[[nodiscard]] std::string GlslMemberName(std::string_view member);
 
 }  // namespace burin::fx

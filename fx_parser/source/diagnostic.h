@@ -29,6 +29,7 @@ struct Diagnostic {
 class Diagnostics {
  public:
   static constexpr int kMaxErrors = 20;
+  static constexpr int kMaxWarnings = 100;   ///< further ones are dropped, so that hostile texts cannot fill memory
 
   /// The returned reference lets the caller add notes; valid until the next call.
   Diagnostic& Error(const Range& range, std::string code, std::string text);

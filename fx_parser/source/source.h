@@ -36,11 +36,26 @@ struct MacroExpansion {
   std::uint32_t parent = 0;   ///< the expansion this one stands in, as in Location::macro
 };
 
+/// `#line`: from the line after `line` on, messages show `presumed_line` and up, and `path` if it is not empty.
+struct LineDirective {
+  std::uint32_t line = 0;
+  std::uint32_t presumed_line = 0;   ///< of the line after the directive
+  std::string path;
+};
+
 struct SourceFile {
   std::string path;           ///< as messages show it
   std::string text;           ///< normalised: BOM stripped, CRLF to LF
   Location included_from;     ///< of the #include; file == kNoFile for the main file
+  std::vector<LineDirective> line_directives;   ///< in order
 };
+
+/// Where `line` of a file stands for messages, #line heeded.
+struct PresumedLine {
+  std::string path;
+  std::uint32_t line = 0;
+};
+[[nodiscard]] PresumedLine Presume(const SourceFile& file, std::uint32_t line);
 
 /// Every text that one compilation read, in the order in which they were opened.
 struct SourceSet {

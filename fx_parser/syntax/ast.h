@@ -73,8 +73,9 @@ struct Binary { BinaryOperator op{}; ExpressionPtr left, right; };
 /// `a = b` (op empty) or `a += b` (op set).
 struct Assign { std::optional<BinaryOperator> op; ExpressionPtr target, value; };
 struct Conditional { ExpressionPtr condition, if_true, if_false; };
-/// A call by name: a user's function or an intrinsic.
+/// A call by name: a user's function or an intrinsic; with an object, Direct3D 10's `texture.Sample(...)`.
 struct Call {
+  ExpressionPtr object;                                 ///< before the '.'; null but for a method
   std::string name;
   Range name_range;
   std::vector<ExpressionPtr> arguments;
@@ -98,6 +99,7 @@ struct StateBlockExpression { std::unique_ptr<StateBlock> block; };
 struct Expression {
   Range range;
   Type type;   ///< filled by semantics
+  int height = 1;   ///< of the tree, 1 for a leaf; at most kMaxExpressionHeight
   std::variant<BoolLiteral, IntLiteral, FloatLiteral, StringLiteral, Name, Unary, Binary, Assign, Conditional, Call,
                Construct, Cast, Member, Index, InitializerList, Compile, AsmBlock, StateBlockExpression>
       node;
@@ -106,7 +108,7 @@ struct Expression {
 // ---- declarations -----------------------------------------------------------------------------------------------
 
 struct Annotation {
-  TypeName type;
+  TypeName type;                ///< empty name and kind kError where none is written (ReShade)
   std::string name;
   Range name_range;
   std::vector<ExpressionPtr> array_sizes;
@@ -124,7 +126,8 @@ struct Variable {
   Range semantic_range;
   std::vector<std::string> registers;   ///< of register(...) and packoffset(...), as written
   std::vector<Annotation> annotations;
-  ExpressionPtr initializer;    ///< may be null; a StateBlockExpression for samplers (also ReShade's `sampler s { ... }`)
+  ExpressionPtr initializer;    ///< may be null; a StateBlockExpression for samplers (also ReShade's `sampler s { ... }`
+                                ///< and `texture t { ... }`)
   bool is_global = false;
   bool is_parameter = false;    ///< of a function
   Type type;                    ///< with arrays; filled by semantics

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/effect/effect_runner.h"
+
+#include <algorithm>
+#include <set>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "core/effect/technique_choice.h"
+#include "core/effect/parameter_override.h"
+#include "core/effect/parameter_values.h"
+#include "core/effect/pass_program.h"
+#include "core/effect/pass_step.h"
+#include "core/effect/schedule.h"
+#include "core/effect/srgb_view.h"
+#include "core/effect/state_binder.h"
+#include "core/effect/target_format.h"
+#include "core/effect/texture_store.h"
+#include "core/gl/framebuffer.h"
+#include "core/gl/fullscreen_quad.h"
+#include "core/gl/state.h"
+#include "core/gl/vertex_layout.h"
+#include "fx_parser/glsl/interface.h"
+
+namespace burin::effect {
+namespace {
+
+class Runner final : public EffectRunner {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<Runner>> Create(std::shared_ptr<const fx::Effect> effect,
+                                                              const RunnerOptions& options, TechniqueChoice choice);
+
+  const std::vector<AttributeTarget>& attributes() const override { return attributes_; }
+  const TechniqueChoice& choice() const override { return choice_; }
+  image::Encoding frame_encoding() const override { return frame_encoding_; }
+  bool needs_scene() const override { return !schedule_.custom_attributes.empty(); }
+  const std::vector<std::string>& warnings() const override { return warnings_; }
+  Result<const gl::Texture*> Run(const FrameContext& context, const SceneDraws& scene) override;
+
+ private:
+  Runner(std::shared_ptr<const fx::Effect> effect, TechniqueChoice choice)
+      : effect_(std::move(effect)), choice_(std::move(choice)) {}
+  Result<void> CreateTextures(const RunnerOptions& options);
+  Result<void> CreateSteps();
+  void ListAttributes();
+  void ClearAtStart();
+  Result<void> DrawScene(PassStep& step, const FrameContext& context);
+
+  std::shared_ptr<const fx::Effect> effect_;
+  TechniqueChoice choice_;
+  Schedule schedule_;
+  image::Encoding frame_encoding_ = image::Encoding::kDisplay;
+  std::vector<AttributeTarget> attributes_;
+  std::vector<std::string> warnings_;
+  gl::FullscreenQuad quad_;
+  gl::Texture frame_;
+  gl::TextureHandle frame_srgb_;
+  std::optional<TextureStore> textures_;
+  std::optional<ParameterValues> values_;
+  std::vector<PassStep> steps_;
+  gl::FramebufferHandle scratch_framebuffer_;
+  std::vector<SceneDraw> draws_;
+};
+
+Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect> effect, const RunnerOptions& options,
+                                               TechniqueChoice choice) {
+  std::unique_ptr<Runner> runner(new Runner(std::move(effect), std::move(choice)));
+  if (auto made = runner->CreateTextures(options); !made) return std::unexpected(made.error());
+  if (auto made = runner->CreateSteps(); !made) return std::unexpected(made.error());
+  runner->ListAttributes();
+  auto quad = gl::FullscreenQuad::Create();
+  if (!quad) return std::unexpected(quad.error());
+  runner->quad_ = std::move(*quad);
+  return runner;
+}
+
+Result<void> Runner::CreateTextures(const RunnerOptions& options) {
+  auto overrides = ParseOverrides(*effect_, options.parameters);
+  if (!overrides) return std::unexpected(overrides.error());
+  schedule_ = MakeSchedule(*effect_, choice_.technique, {options.width, options.height});
+  auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options.load_texture, warnings_);
+  if (!textures) return std::unexpected(textures.error());
+  textures_ = std::move(*textures);
+  values_.emplace(*effect_, *overrides, schedule_.texture_sizes, warnings_);
+
+  frame_encoding_ = FrameEncoding(*effect_, choice_.technique);
+  const gl::Format& format =
+      frame_encoding_ == image::Encoding::kDisplay ? options.display_frame_format : options.linear_frame_format;
+  auto frame =
+      gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the frame", effect_->path));
+  if (!frame) return std::unexpected(frame.error());
+  frame_ = std::move(*frame);
+  if (schedule_.clears_frame_at_start) {
+    warnings_.push_back(fmt::format("{}: no pass of technique '{}' draws into the frame, which stays empty",
+                                    effect_->path, effect_->techniques[choice_.technique].name));
+  }
+  GLuint scratch = 0;
+  glCreateFramebuffers(1, &scratch);
+  scratch_framebuffer_ = gl::FramebufferHandle(scratch);
+  return {};
+}
+
+Result<void> Runner::CreateSteps() {
+  const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
+  const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
+  for (const Step& step : schedule_.steps) {
+    auto made = PassStep::Create(*effect_, step, frame, *textures_, lookup, warnings_);
+    if (!made) return std::unexpected(made.error());
+    steps_.push_back(std::move(*made));
+  }
+  return {};
+}
+
+void Runner::ListAttributes() {
+  const auto annotated = AnnotatedEncoding(effect_->techniques[choice_.technique]);
+  for (const std::size_t index : schedule_.attributes) {
+    const fx::Texture& texture = effect_->textures[index];
+    const auto natural =
+        fx::Info(texture.format).is_float ? image::Encoding::kSceneLinear : image::Encoding::kDisplay;
+    attributes_.push_back({.attribute = std::get<fx::AttributeRole>(texture.role).attribute,
+                           .texture = textures_->texture(index),
+                           .encoding = annotated.value_or(natural)});
+  }
+}
+
+void Runner::ClearAtStart() {
+  const auto clear = [this](const gl::Texture& texture, float alpha) {
+    const std::array<float, 4> color{0, 0, 0, alpha};
+    glNamedFramebufferTexture(scratch_framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture.id(), 0);
+    glClearNamedFramebufferfv(scratch_framebuffer_.id(), GL_COLOR, 0, color.data());
+  };
+  for (const std::size_t index : schedule_.cleared_at_start) {
+    if (const gl::Texture* texture = textures_->texture(index)) {
+      clear(*texture, HasAlpha(effect_->textures[index].format) ? 0.0f : 1.0f);
+    }
+  }
+  if (schedule_.clears_frame_at_start) clear(frame_, 0.0f);
+}
+
+Result<void> Runner::DrawScene(PassStep& step, const FrameContext& context) {
+  FrameContext object = context;
+  for (const SceneDraw& draw : draws_) {
+    object.world_from_object = draw.world_from_object;
+    values_->SetObject(object);
+    step.UpdateParameters(*values_);
+    // Models wind their front faces counter-clockwise, and a mirroring matrix turns them round; effects of Direct3D expect
+    // clockwise ones.
+    step.SetFrontFace(glm::determinant(draw.world_from_object) < 0.0f);
+    draw.draw();
+  }
+  values_->SetObject(context);
+  return {};
+}
+
+Result<const gl::Texture*> Runner::Run(const FrameContext& context, const SceneDraws& scene) {
+  gl::ResetState();
+  values_->SetFrame(context);
+  draws_.clear();
+  if (needs_scene() && scene) {
+    auto draws = scene();
+    if (!draws) return std::unexpected(draws.error());
+    draws_ = std::move(*draws);
+  }
+  ClearAtStart();
+  const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
+  for (PassStep& step : steps_) {
+    if (auto bound = step.Begin(*effect_, *textures_, *values_, lookup, warnings_); !bound) {
+      return std::unexpected(bound.error());
+    }
+    if (step.draws_scene()) {
+      if (auto drawn = DrawScene(step, context); !drawn) return std::unexpected(drawn.error());
+    } else {
+      quad_.Draw();
+    }
+    step.End();
+  }
+  gl::ResetState();
+  return &frame_;
+}
+
+// What must be so for a technique to run on this device, beyond what the effect says.
+std::string DeviceRefusal(const fx::Technique& technique) {
+  GLint draw_buffers = 0;
+  GLint units = 0;
+  glGetIntegerv(GL_MAX_DRAW_BUFFERS, &draw_buffers);
+  glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+  for (const fx::Pass& pass : technique.passes) {
+    if (static_cast<GLint>(pass.targets.size()) > draw_buffers) {
+      return fmt::format("pass {} draws into {} targets; this device has {}", pass.name, pass.targets.size(), draw_buffers);
+    }
+    if (static_cast<GLint>(pass.program.samplers.size()) > units) {
+      return fmt::format("pass {} uses {} samplers; this device has {}", pass.name, pass.program.samplers.size(), units);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+static_assert(gl::kLocationTexCoord0 == 8 && gl::kLocationColor0 == 4);
+
+Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const fx::Effect> effect,
+                                                           const RunnerOptions& options) {
+  auto choice = ChooseTechnique(*effect, options.technique);
+  if (!choice) return std::unexpected(choice.error());
+  while (true) {
+    const fx::Technique& technique = effect->techniques[choice->technique];
+    const std::string refusal = DeviceRefusal(technique);
+    if (refusal.empty()) {
+      auto runner = Runner::Create(effect, options, *choice);
+      if (!runner) return std::unexpected(runner.error());
+      return runner;
+    }
+    if (!options.technique.empty()) {
+      return Fail(ErrorKind::kInput,
+                  fmt::format("{}: technique '{}' cannot run here: {}", effect->path, technique.name, refusal));
+    }
+    choice->rejected.emplace_back(technique.name, refusal);
+    if (!NextTechnique(*effect, *choice)) {
+      return Fail(ErrorKind::kInput, fmt::format("{}: no technique can run on this device; '{}': {}", effect->path,
+                                                 technique.name, refusal));
+    }
+  }
+}
+
+}  // namespace burin::effect

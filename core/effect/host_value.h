@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/effect/frame_context.h"
+#include "fx_parser/effect/effect.h"
+
+namespace burin::effect {
+
+/// What of the host a parameter asks for, by its semantic or by one of the extension's names.
+struct HostValue {
+  enum class Kind {
+    kMatrix, kTime, kElapsedTime, kFrame, kFrameSize, kTexelSize, kEyePosition, kViewDirection, kLightPosition,
+    kLightDirection, kLightColor
+  };
+  enum class Space { kWorld, kView, kObject };
+  Kind kind = Kind::kMatrix;
+  bool world = false, view = false, projection = false;   ///< the factors of a matrix
+  bool previous = false;                                   ///< of the frame before
+  bool inverse = false, transpose = false;
+  Space space = Space::kWorld;                             ///< of positions and directions
+  std::optional<std::size_t> texture;                      ///< of kTexelSize: TexelSize_<texture>
+
+  [[nodiscard]] bool depends_on_object() const { return world || space == Space::kObject; }
+  bool operator==(const HostValue&) const = default;
+};
+
+/// Nothing when the parameter keeps its default. Appends to `warnings` when its semantic is one that nobody knows, its type
+/// cannot hold what the semantic means, or TexelSize_<texture> names no texture.
+[[nodiscard]] std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Parameter& parameter,
+                                                     std::vector<std::string>& warnings);
+
+/// Writes the value into `numbers`, which has as many as the parameter's type has components. Matrices are written as
+/// Direct3D's rows: `mul(vector, matrix)` transforms. `column_vectors`: as CgFX's, for `mul(matrix, vector)`.
+void Evaluate(const HostValue& host, const FrameContext& context, std::span<const glm::ivec2> texture_sizes,
+              const fx::Type& type, bool column_vectors, std::vector<double>& numbers);
+
+}  // namespace burin::effect

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/effect/parameter_values.h"
+
+#include "core/effect/text.h"
+
+namespace burin::effect {
+
+ParameterValues::ParameterValues(const fx::Effect& effect, const Overrides& overrides,
+                                 std::vector<glm::ivec2> texture_sizes, std::vector<std::string>& warnings)
+    : versions_(effect.parameters.size(), 1),
+      texture_sizes_(std::move(texture_sizes)),
+      column_vectors_(LowerCase(effect.path).ends_with(".cgfx")) {
+  values_.reserve(effect.parameters.size());
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const fx::Parameter& parameter = effect.parameters[i];
+    if (const auto found = overrides.parameters.find(i); found != overrides.parameters.end()) {
+      values_.push_back(found->second);
+      continue;
+    }
+    values_.push_back(parameter.default_value);
+    if (auto host = FindHostValue(effect, parameter, warnings)) {
+      values_.back().type = parameter.type;
+      values_.back().numbers.resize(static_cast<std::size_t>(parameter.type.components()), 0.0);
+      bindings_.push_back({i, std::move(*host)});
+    }
+  }
+}
+
+void ParameterValues::SetFrame(const FrameContext& context) {
+  for (const HostBinding& binding : bindings_) Update(binding, context);
+}
+
+void ParameterValues::SetObject(const FrameContext& context) {
+  for (const HostBinding& binding : bindings_) {
+    if (binding.host.depends_on_object()) Update(binding, context);
+  }
+}
+
+void ParameterValues::Update(const HostBinding& binding, const FrameContext& context) {
+  std::vector<double>& numbers = values_[binding.parameter].numbers;
+  scratch_.assign(numbers.begin(), numbers.end());
+  Evaluate(binding.host, context, texture_sizes_, values_[binding.parameter].type, column_vectors_, numbers);
+  if (numbers != scratch_) ++versions_[binding.parameter];
+}
+
+}  // namespace burin::effect

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/effect/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "core/effect/render_states.h"
+
+namespace burin::effect {
+namespace {
+
+const fx::Pass& PassOf(const fx::Effect& effect, const Step& step) {
+  return effect.techniques[step.technique].passes[step.pass];
+}
+
+void CollectTextures(const fx::Effect& effect, const fx::Technique& technique, std::set<std::size_t>& textures) {
+  for (const fx::Pass& pass : technique.passes) {
+    for (const std::size_t sampler : pass.program.samplers) {
+      if (effect.samplers[sampler].texture) textures.insert(*effect.samplers[sampler].texture);
+    }
+    textures.insert(pass.targets.begin(), pass.targets.end());
+  }
+}
+
+std::optional<std::size_t> CustomTechnique(const fx::Effect& effect, const std::string& attribute) {
+  for (std::size_t i = 0; i < effect.techniques.size(); ++i) {
+    if (effect.techniques[i].custom_attribute == attribute) return i;
+  }
+  return std::nullopt;
+}
+
+// The textures of the technique and, through the custom attributes among them, of the techniques that fill those.
+std::set<std::size_t> TexturesUsed(const fx::Effect& effect, std::size_t technique) {
+  std::set<std::size_t> used;
+  CollectTextures(effect, effect.techniques[technique], used);
+  std::size_t before = 0;
+  while (before != used.size()) {
+    before = used.size();
+    for (const std::size_t index : std::set(used)) {
+      const auto* role = std::get_if<fx::AttributeRole>(&effect.textures[index].role);
+      if (role == nullptr || !role->is_custom) continue;
+      if (const auto filler = CustomTechnique(effect, role->attribute)) {
+        CollectTextures(effect, effect.techniques[*filler], used);
+      }
+    }
+  }
+  return used;
+}
+
+void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Schedule& schedule) {
+  for (const std::size_t index : used) {
+    const auto& role = effect.textures[index].role;
+    if (const auto* attribute = std::get_if<fx::AttributeRole>(&role)) {
+      (attribute->is_custom ? schedule.custom_attributes : schedule.attributes).push_back(index);
+    } else if (std::holds_alternative<fx::PassResultRole>(role)) {
+      schedule.pass_results.push_back(index);
+    } else {
+      schedule.files.push_back(index);
+    }
+  }
+}
+
+void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std::size_t> custom_target,
+              glm::ivec2 frame, Schedule& schedule) {
+  for (std::size_t pass = 0; pass < effect.techniques[technique].passes.size(); ++pass) {
+    Step step{.technique = technique, .pass = pass, .draws_scene = custom_target.has_value()};
+    if (custom_target) {
+      step.targets = {*custom_target};
+    } else {
+      step.targets = effect.techniques[technique].passes[pass].targets;
+    }
+    step.size = step.targets.empty() ? frame : schedule.texture_sizes[step.targets.front()];
+    schedule.steps.push_back(std::move(step));
+  }
+}
+
+// Targets are cleared by the first step that draws into them, or before all when one looks them up earlier.
+void PlanClears(const fx::Effect& effect, Schedule& schedule) {
+  std::set<std::size_t> touched;
+  bool frame_touched = false;
+  for (Step& step : schedule.steps) {
+    for (const std::size_t sampler : PassOf(effect, step).program.samplers) {
+      const auto texture = effect.samplers[sampler].texture;
+      if (!texture || touched.contains(*texture)) continue;
+      const auto* attribute = std::get_if<fx::AttributeRole>(&effect.textures[*texture].role);
+      const bool is_drawn = std::holds_alternative<fx::PassResultRole>(effect.textures[*texture].role) ||
+                            (attribute != nullptr && attribute->is_custom);
+      if (is_drawn && touched.insert(*texture).second) schedule.cleared_at_start.push_back(*texture);
+    }
+    if (step.targets.empty()) {
+      step.clears_targets = !frame_touched;
+      frame_touched = true;
+    } else {
+      step.clears_targets = true;
+      for (const std::size_t target : step.targets) {
+        if (!touched.insert(target).second) step.clears_targets = false;
+      }
+    }
+  }
+  schedule.clears_frame_at_start = !frame_touched;
+}
+
+// What a pass's states, as far as they are constant, do with the depth-stencil buffer.
+struct DepthUse {
+  bool tests = false;            ///< with ZEnable
+  bool at_quad_depth = false;    ///< its depth is the quadrilateral's 0: no vertex shader, no DEPTH output
+  bool surely_needed = false;    ///< stencil, a comparison that a cleared buffer can fail, or not known before the frame
+};
+
+DepthUse UseOfDepth(const fx::Pass& pass) {
+  RenderStates states;
+  DepthUse use;
+  for (const fx::PassState& state : pass.states) {
+    if (const auto* value = std::get_if<fx::Value>(&state.value)) {
+      static_cast<void>(SetState(states, state.name, *value));
+    } else {
+      use.surely_needed |= state.name == fx::RenderState::kZEnable || state.name == fx::RenderState::kZFunc ||
+                           state.name == fx::RenderState::kStencilEnable;
+    }
+  }
+  constexpr int kLessEqual = 4;
+  constexpr int kAlways = 8;
+  use.tests = states.z_enable;
+  use.at_quad_depth = pass.program.vertex_entry.empty() && !pass.program.writes_depth;
+  use.surely_needed |= states.stencil || (states.z_enable && states.z_func != kLessEqual && states.z_func != kAlways);
+  return use;
+}
+
+// Every pass tests depth by default, yet with the usual comparison the test is only seen where several passes of one
+// size lie at different depths. Where it cannot be seen there is no buffer: it would cost more than the shader.
+void PlanDepthStencil(const fx::Effect& effect, Schedule& schedule) {
+  const auto key = [](const Step& step) { return std::pair(step.size.x, step.size.y); };
+  std::map<std::pair<int, int>, bool> needed;
+  std::map<std::pair<int, int>, int> testing, off_quad;
+  for (const Step& step : schedule.steps) {
+    if (step.draws_scene) continue;
+    const DepthUse use = UseOfDepth(PassOf(effect, step));
+    needed[key(step)] |= use.surely_needed;
+    testing[key(step)] += use.tests;
+    off_quad[key(step)] += use.tests && !use.at_quad_depth;
+  }
+  std::set<std::pair<int, int>> cleared;
+  std::size_t scene_target = 0;
+  bool in_scene = false;
+  for (Step& step : schedule.steps) {
+    if (step.draws_scene) {
+      step.uses_depth_stencil = true;
+      step.clears_depth_stencil = !in_scene || scene_target != step.targets.front();
+      scene_target = step.targets.front();
+      in_scene = true;
+      continue;
+    }
+    step.uses_depth_stencil = needed[key(step)] || (off_quad[key(step)] > 0 && testing[key(step)] > 1);
+    step.clears_depth_stencil = step.uses_depth_stencil && cleared.insert(key(step)).second;
+  }
+}
+
+}  // namespace
+
+glm::ivec2 ScaledSize(double scale, glm::ivec2 frame) {
+  constexpr double kLargest = 1 << 30;
+  const auto scaled = [&](int length) {
+    return static_cast<int>(std::clamp(std::floor(scale * length + 0.5), 1.0, kLargest));
+  };
+  return {scaled(frame.x), scaled(frame.y)};
+}
+
+Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame) {
+  Schedule schedule;
+  for (const fx::Texture& texture : effect.textures) {
+    const bool is_file = std::holds_alternative<fx::FileRole>(texture.role);
+    schedule.texture_sizes.push_back(is_file ? glm::ivec2(1) : ScaledSize(texture.scale, frame));
+  }
+  SortByRole(effect, TexturesUsed(effect, technique), schedule);
+  for (const std::size_t index : schedule.custom_attributes) {
+    const auto& role = std::get<fx::AttributeRole>(effect.textures[index].role);
+    if (const auto filler = CustomTechnique(effect, role.attribute)) AddSteps(effect, *filler, index, frame, schedule);
+  }
+  AddSteps(effect, technique, std::nullopt, frame, schedule);
+  PlanClears(effect, schedule);
+  PlanDepthStencil(effect, schedule);
+  return schedule;
+}
+
+}  // namespace burin::effect

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/base/error.h"
+#include "core/effect/effect_runner.h"
+#include "core/effect/parameter_override.h"
+#include "core/effect/schedule.h"
+#include "core/gl/handle.h"
+#include "core/gl/texture.h"
+#include "fx_parser/effect/effect.h"
+
+namespace burin::effect {
+
+/// Every texture that one technique touches: targets, files, stand-ins, depth-stencil buffers.
+class TextureStore {
+ public:
+  /// Creates the targets and loads the files of `schedule`, and writes the files' sizes back into it. Errors: the
+  /// loader's, with the texture's name; kFailed over the device's limits.
+  [[nodiscard]] static Result<TextureStore> Create(const fx::Effect& effect, Schedule& schedule,
+                                                   const Overrides& overrides, const TextureLoader& load,
+                                                   std::vector<std::string>& warnings);
+
+  /// A 2D texture; null for those that the technique doesn't touch.
+  [[nodiscard]] const gl::Texture* texture(std::size_t index) const;
+  /// What a sampler looks up: the texture's GL name, its sRGB view's when `srgb` and it has one, or a stand-in of the
+  /// sampler's dimension when it has none.
+  [[nodiscard]] std::uint32_t ForSampler(const fx::Sampler& sampler, bool srgb) const;
+  /// Makes the views that `ForSampler(..., true)` and sRGB writes need; false when the format has none.
+  bool AddSrgbView(std::size_t index);
+  [[nodiscard]] std::uint32_t srgb_view(std::size_t index) const;
+  /// One for every size.
+  [[nodiscard]] Result<const gl::Texture*> DepthStencil(glm::ivec2 size);
+
+ private:
+  struct Slot {
+    gl::Texture texture;
+    gl::TextureHandle srgb;
+  };
+  [[nodiscard]] Result<void> AddTarget(const fx::Effect& effect, std::size_t index, glm::ivec2 size);
+  [[nodiscard]] Result<void> AddFile(const fx::Effect& effect, std::size_t index, const Overrides& overrides,
+                                     const TextureLoader& load, std::vector<std::string>& warnings);
+  void AddStandIns();
+
+  std::vector<Slot> slots_;
+  std::map<fx::Dimension, gl::TextureHandle> stand_ins_;
+  gl::TextureHandle flat_normal_;
+  std::vector<bool> is_normal_map_;
+  std::map<std::pair<int, int>, gl::Texture> depth_stencils_;
+};
+
+}  // namespace burin::effect

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/effect_description.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/effect/effect_runner.h"
+
+namespace burin::render {
+namespace {
+
+void AddOnce(std::vector<std::size_t>& list, std::size_t index) {
+  if (std::ranges::find(list, index) == list.end()) list.push_back(index);
+}
+
+std::string EncodingText(image::Encoding encoding) {
+  return encoding == image::Encoding::kSceneLinear ? "scene-linear" : "display-encoded";
+}
+
+std::string ParameterLine(const fx::Parameter& parameter) {
+  std::string line = fmt::format("  {} {}", fx::ToString(parameter.type), parameter.name);
+  if (!parameter.semantic.empty()) line += fmt::format(" : {}", parameter.semantic);
+  if (parameter.has_default) line += fmt::format(" = {}", ValueText(parameter.default_value));
+  return line + "\n";
+}
+
+std::string PassLine(const fx::Effect& effect, const fx::Pass& pass, std::size_t index) {
+  const PassFlow flow = FlowOf(effect, pass);
+  const auto names = [&effect](const std::vector<std::size_t>& textures) {
+    std::vector<std::string> list;
+    for (const std::size_t texture : textures) list.push_back(effect.textures[texture].name);
+    return fmt::format("{}", fmt::join(list, ", "));
+  };
+  return fmt::format("    {}{}: {} -> {}   ({}, {})\n", index, pass.name.empty() ? "" : " " + pass.name,
+                     flow.reads.empty() ? "nothing" : names(flow.reads),
+                     flow.writes.empty() ? "the frame" : names(flow.writes),
+                     pass.program.vertex_entry.empty() ? "pass-through" : pass.program.vertex_entry,
+                     pass.program.fragment_entry.empty() ? "no pixel shader" : pass.program.fragment_entry);
+}
+
+std::string TechniqueText(const fx::Effect& effect, std::size_t index, const effect::TechniqueChoice& choice) {
+  const fx::Technique& technique = effect.techniques[index];
+  std::string text = fmt::format("  {}", technique.name);
+  if (!technique.custom_attribute.empty()) {
+    text += fmt::format("   draws the custom attribute {}", technique.custom_attribute);
+  } else if (index == choice.technique) {
+    text += fmt::format("   used; its frame is {}", EncodingText(effect::FrameEncoding(effect, index)));
+  } else {
+    const auto rejected = std::ranges::find(choice.rejected, technique.name, &std::pair<std::string, std::string>::first);
+    text += rejected != choice.rejected.end() ? fmt::format("   not used: {}", rejected->second) : "   not used";
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < technique.passes.size(); ++i) text += PassLine(effect, technique.passes[i], i);
+  return text;
+}
+
+}  // namespace
+
+PassFlow FlowOf(const fx::Effect& effect, const fx::Pass& pass) {
+  PassFlow flow;
+  for (const std::size_t sampler : pass.program.samplers) {
+    if (effect.samplers[sampler].texture) AddOnce(flow.reads, *effect.samplers[sampler].texture);
+  }
+  for (const std::size_t target : pass.targets) AddOnce(flow.writes, target);
+  return flow;
+}
+
+std::string RoleText(const fx::Texture& texture) {
+  if (const auto* attribute = std::get_if<fx::AttributeRole>(&texture.role)) {
+    return fmt::format("{}attribute {}", attribute->is_custom ? "custom " : "", attribute->attribute);
+  }
+  if (const auto* result = std::get_if<fx::PassResultRole>(&texture.role)) {
+    return result->target == 0 ? fmt::format("result of pass {}", result->pass)
+                               : fmt::format("result {} of pass {}", result->target, result->pass);
+  }
+  const std::string& file = std::get<fx::FileRole>(texture.role).file;
+  return file.empty() ? "file, none named" : fmt::format("file {}", file);
+}
+
+std::string SizeText(const fx::Texture& texture) {
+  return texture.scale == 1.0 ? "frame size" : fmt::format("{:g} x frame size", texture.scale);
+}
+
+std::string ValueText(const fx::Value& value) {
+  if (!value.strings.empty()) return fmt::format("\"{}\"", fmt::join(value.strings, "\", \""));
+  if (value.numbers.size() == 1) return fmt::format("{:g}", value.numbers.front());
+  return value.numbers.empty() ? std::string() : fmt::format("{{{:g}}}", fmt::join(value.numbers, ", "));
+}
+
+Result<std::string> EffectText(const EffectFile& file, const std::string& technique) {
+  const fx::Effect& effect = *file.effect;
+  const auto choice = effect::ChooseTechnique(effect, technique);
+  if (!choice) return std::unexpected(choice.error());
+  std::string text = fmt::format("{}: effect\n", file.path);
+  if (!effect.parameters.empty()) text += "\nParameters:\n";
+  for (const fx::Parameter& parameter : effect.parameters) text += ParameterLine(parameter);
+  if (!effect.textures.empty()) text += "\nTextures:\n";
+  for (const fx::Texture& texture : effect.textures) {
+    text += fmt::format("  {}   {}", texture.name, RoleText(texture));
+    if (!std::holds_alternative<fx::FileRole>(texture.role)) {
+      text += fmt::format(", {}, {}", fx::Info(texture.format).name, SizeText(texture));
+    }
+    text += "\n";
+  }
+  text += "\nTechniques:\n";
+  for (std::size_t i = 0; i < effect.techniques.size(); ++i) text += TechniqueText(effect, i, *choice);
+  return text;
+}
+
+}  // namespace burin::render

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes: each frame is posed, deformed and looked at here, on the decoding thread.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/render/source.h"
+#include "core/scene/gltf_reader.h"
+
+namespace burin::render {
+namespace {
+
+/// How many moments of the animation the automatic camera looks at. Independent of the frames that are asked for, so
+/// that one frame alone has the same bits as in a full run.
+constexpr int kBoundsSamples = 16;
+/// Key light for effects when the scene has none: from the upper left, towards the scene.
+const glm::vec3 kDefaultLight = glm::normalize(glm::vec3(0.4f, -0.8f, -0.45f));
+
+void Extend(scene::Bounds& bounds, const scene::Bounds& other) {
+  if (other.empty()) return;
+  bounds.min = glm::min(bounds.min, other.min);
+  bounds.max = glm::max(bounds.max, other.max);
+}
+
+scene::Bounds BoundsOverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, double duration_s) {
+  const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
+  scene::Bounds bounds;
+  for (int i = 0; i < samples; ++i) {
+    const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
+    Extend(bounds, scene::ComputeBounds(scene, scene::BuildDrawItems(scene, pose, pose)));
+  }
+  return bounds;
+}
+
+class SceneSource final : public Source {
+ public:
+  SceneSource(scene::Scene scene, scene::AnimationSelection animations, int camera_node, const Job& job)
+      : scene_(std::move(scene)), animations_(std::move(animations)), turntable_(job.turntable_frames),
+        orbit_deg_(job.orbit_deg), size_(job.size.value_or(kDefaultSize)), rate_(job.fps.value_or(kDefaultRate)) {
+    const double duration_s = scene::Duration(scene_, animations_);
+    camera_.camera_node = camera_node;
+    camera_.bounds = BoundsOverTime(scene_, animations_, duration_s);
+    info_.kind = SourceKind::kScene;
+    info_.rate = job.fps;
+    // A loop's last frame is the one before the first comes again.
+    const double frames = turntable_ > 0 ? static_cast<double>(turntable_) : std::ceil(duration_s * rate_.value() - 1e-4);
+    info_.frames.resize(static_cast<std::size_t>(std::clamp(frames, 1.0, 1e6)));
+    for (std::size_t i = 0; i < info_.frames.size(); ++i) info_.frames[i] = static_cast<long>(i) + 1;
+  }
+
+  [[nodiscard]] const SourceInfo& info() const override { return info_; }
+  [[nodiscard]] const scene::Scene* scene() const override { return &scene_; }
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    std::vector<std::string> warnings;
+    for (const std::string& warning : scene_.warnings) {
+      warnings.push_back(warning.starts_with(scene_.path) ? warning : fmt::format("{}: {}", scene_.path, warning));
+    }
+    return warnings;
+  }
+
+  [[nodiscard]] Result<bool> Read(long number, SourceFrame& frame) override {
+    frame.number = number;
+    auto now = std::make_unique<SceneFrame>();
+    now->pose = scene::EvaluatePose(scene_, animations_, Time(number));
+    const scene::Pose previous = scene::EvaluatePose(scene_, animations_, Time(number - 1));
+    now->items = scene::BuildDrawItems(scene_, now->pose, previous);
+    now->view = View(now->pose, number);
+    now->previous_view = View(previous, number - 1);
+    FillContext(*now);
+    frame.scene = std::move(now);
+    return true;
+  }
+
+ private:
+  /// Seconds at a frame: frame 1 is 0.
+  [[nodiscard]] double Time(long number) const { return static_cast<double>(number - 1) / rate_.value(); }
+
+  [[nodiscard]] scene::View View(const scene::Pose& pose, long number) const {
+    double angle_deg = orbit_deg_;
+    if (turntable_ > 0) {
+      const long step = ((number - 1) % turntable_ + turntable_) % turntable_;
+      angle_deg += 360.0 * static_cast<double>(step) / static_cast<double>(turntable_);
+    }
+    return scene::MakeView(scene_, camera_, pose, size_.first, size_.second, angle_deg);
+  }
+
+  void FillContext(SceneFrame& frame) const {
+    effect::FrameContext& context = frame.context;
+    context.view_from_world = frame.view.view_from_world;
+    context.clip_from_view = frame.view.clip_from_view;
+    context.previous_view_from_world = frame.previous_view.view_from_world;
+    context.previous_clip_from_view = frame.previous_view.clip_from_view;
+    context.eye_world = glm::vec3(glm::inverse(frame.view.view_from_world)[3]);
+    context.light_direction_world = kDefaultLight;
+    for (std::size_t node = 0; node < scene_.nodes.size(); ++node) {
+      const int light = scene_.nodes[node].light;
+      if (light == scene::kNone || scene_.lights[light].type != scene::LightType::kDirectional) continue;
+      const glm::vec3 direction(frame.pose.world_from_node[node] * glm::vec4(0, 0, -1, 0));  // KHR_lights_punctual
+      if (glm::length(direction) > 0.0f) context.light_direction_world = glm::normalize(direction);
+      context.light_color = glm::vec4(scene_.lights[light].color * scene_.lights[light].intensity, 1.0f);
+      break;
+    }
+  }
+
+  scene::Scene scene_;
+  scene::AnimationSelection animations_;
+  scene::CameraChoice camera_;
+  SourceInfo info_;
+  long turntable_;
+  double orbit_deg_;
+  std::pair<int, int> size_;
+  video::FrameRate rate_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job) {
+  scene::GltfOptions options;
+  options.decode_image = [](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
+    auto module = image::LoadImageModule();
+    if (!module) return std::unexpected(module.error());
+    return (*module)->ReadMemory(bytes, name);
+  };
+  auto scene = scene::ReadGltf(job.source, options);
+  if (!scene) return std::unexpected(scene.error());
+  auto animations = scene::SelectAnimations(*scene, job.animation);
+  if (!animations) return std::unexpected(animations.error());
+  auto camera = scene::SelectCamera(*scene, job.camera);
+  if (!camera) return std::unexpected(camera.error());
+  return std::make_unique<SceneSource>(*std::move(scene), *std::move(animations), *camera, job);
+}
+
+}  // namespace burin::render

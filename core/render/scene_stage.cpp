@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/scene_stage.h"
+
+#include <epoxy/gl.h>
+
+#include <vector>
+
+namespace burin::render {
+
+SceneStage::SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const glm::vec4& background,
+                       PictureStage& pictures)
+    : renderer_(std::move(renderer)), background_(background), pictures_(pictures) {}
+
+Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene, const image::Image* environment,
+                                                       const glm::vec4& background, PictureStage& pictures) {
+  auto renderer = gbuffer::SceneRenderer::Create(scene, environment);
+  if (!renderer) return std::unexpected(renderer.error());
+  return std::unique_ptr<SceneStage>(new SceneStage(*std::move(renderer), background, pictures));
+}
+
+gbuffer::FrameInput SceneStage::Input(const SceneFrame& frame) const {
+  gbuffer::FrameInput input;
+  input.view = frame.view;
+  input.previous_view = frame.previous_view;
+  input.pose = &frame.pose;
+  input.items = frame.items;
+  input.background = background_;
+  return input;
+}
+
+Result<void> SceneStage::Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests) {
+  std::vector<gbuffer::Request> direct;
+  std::vector<gbuffer::Request> through_transform;
+  for (const gbuffer::Request& request : requests) {
+    const bool is_plain = pictures_.transform().is_srgb() || request.encoding != image::Encoding::kDisplay ||
+                          !gbuffer::Info(request.attribute).is_color;
+    (is_plain ? direct : through_transform).push_back(request);
+  }
+  if (!direct.empty()) {
+    if (auto filled = renderer_->Render(Input(frame), direct); !filled) return filled;
+  }
+  for (const gbuffer::Request& request : through_transform) {
+    if (auto filled = FillThroughTransform(frame, request); !filled) return filled;
+  }
+  return {};
+}
+
+Result<void> SceneStage::FillThroughTransform(const SceneFrame& frame, const gbuffer::Request& request) {
+  using gbuffer::Attribute;
+  const gl::Format format = gl::PlainFormat(gl::Numeric::kFloat, 32, 4);
+  if (auto good = EnsureTexture(linear_, format, request.target->width(), request.target->height(), "linear colour");
+      !good) {
+    return good;
+  }
+  // Intensity follows from the display colour; the other colours are pictures by themselves.
+  const bool is_intensity = request.attribute == Attribute::kIntensity;
+  const gbuffer::Request linear{is_intensity ? Attribute::kColor : request.attribute, &linear_,
+                                image::Encoding::kSceneLinear};
+  if (auto filled = renderer_->Render(Input(frame), {&linear, 1}); !filled) return filled;
+  const gbuffer::Request display{is_intensity ? Attribute::kIntensity : Attribute::kColor, request.target,
+                                 image::Encoding::kDisplay};
+  return pictures_.Fill(linear_, image::Encoding::kSceneLinear, {&display, 1});
+}
+
+effect::SceneDraws SceneStage::Draws(const SceneFrame& frame) {
+  return [this, &frame]() -> Result<std::vector<effect::SceneDraw>> {
+    auto geometry = renderer_->Draws(Input(frame));
+    if (!geometry) return std::unexpected(geometry.error());
+    std::vector<effect::SceneDraw> draws;
+    for (const gbuffer::GeometryDraw& item : *geometry) {
+      draws.push_back({item.world_from_object, [item] {
+                         glBindVertexArray(item.vertex_array);
+                         glDrawElements(item.mode, item.index_count, GL_UNSIGNED_INT, nullptr);
+                         glBindVertexArray(0);
+                       }});
+    }
+    return draws;
+  };
+}
+
+}  // namespace burin::render

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fx_parser/syntax/parser.h"
+#include "fx_parser/syntax/parse.h"
+
+namespace burin::fx {
+
+std::unique_ptr<ast::Struct> Parser::ParseStruct() {
+  if (statement_depth_ >= kMaxNesting) return ReportTooDeep(), nullptr;
+  const Nesting nesting(statement_depth_);
+  auto structure = std::make_unique<ast::Struct>();
+  structure->range = Advance().range();
+  if (Is(TokenKind::kIdentifier)) {
+    structure->range = Peek().range();
+    structure->name = Advance().text;
+  }
+  if (Is(TokenKind::kColon)) {
+    ReportUnexpected("'{' (a struct has no base here)");
+    return nullptr;
+  }
+  Declare(structure->name, true);   // before its body, so that faults in there make no others
+  const Range opening = Peek().range();
+  if (!Expect(TokenKind::kLeftBrace, "'{' to begin the struct")) return nullptr;
+  while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
+    const std::size_t first = position_;
+    if (AtTechnique()) break;
+    if (!ParseMember(*structure)) SkipStatement(first);
+    if (position_ == first) Advance();
+  }
+  const std::string what = "'}' to end struct" + (structure->name.empty() ? "" : " '" + structure->name + "'");
+  if (!ExpectClosing(TokenKind::kRightBrace, what, opening)) return nullptr;
+  return structure;
+}
+
+bool Parser::ParseMember(ast::Struct& structure) {
+  if (Accept(TokenKind::kSemicolon)) return true;
+  Specifiers specifiers;
+  if (!ParseSpecifiers(specifiers)) return false;
+  if (specifiers.structure) {
+    Report(specifiers.structure->range, "a struct cannot be defined inside a struct");
+    return false;
+  }
+  if (Is(TokenKind::kIdentifier) && Is(TokenKind::kLeftParen, 1)) {
+    Report(Peek().range(), "a struct cannot have functions");
+    position_ = FindClosing(position_ + 1);
+    return false;
+  }
+  std::string name;
+  do {
+    auto member = std::make_unique<ast::Variable>();
+    member->qualifiers = specifiers.qualifiers;
+    member->type_name = CopyType(specifiers.type);
+    if (!ExpectName("a member's name", member->name, member->range)) return false;
+    name = member->name;
+    if (!ParseArraySizes(member->array_sizes)) return false;
+    if (!ParseSemantics(member->semantic, member->semantic_range, &member->registers)) return false;
+    if (Is(TokenKind::kLess) && !ParseAnnotations(member->annotations)) return false;
+    structure.members.push_back(std::move(member));
+  } while (Accept(TokenKind::kComma));
+  return ExpectSemicolon("member '" + name + "'");
+}
+
+}  // namespace burin::fx
