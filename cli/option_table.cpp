@@ -15,7 +15,7 @@ namespace {
 template <class T, class U>
 Result<void> Store(U& place, Result<T> value) {
   if (!value) return std::unexpected(std::move(value).error());
-  place = *std::move(value);
+  place = static_cast<U>(*std::move(value));
   return {};
 }
 

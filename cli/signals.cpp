@@ -16,6 +16,7 @@ namespace {
 /// The guard's own way out of its wait; never sent from outside in practice, and harmless then.
 constexpr int kWake = SIGUSR2;
 constexpr timespec kGrace{1, 0};
+constexpr timespec kLastWords{0, 100'000'000};
 
 sigset_t StopSignals() {
   sigset_t set;
@@ -55,7 +56,9 @@ void SignalGuard::Wait() {
   const int second = sigtimedwait(&set, nullptr, &kGrace);
   if (finished_ || second == kWake) return;
   base::RemoveTemporaries();
-  last_words_();
+  // On a thread of their own: a thread that hangs may hold a lock that they need.
+  std::thread(last_words_).detach();
+  nanosleep(&kLastWords, nullptr);
   base::RemoveTemporaries();  // whatever was begun in between
   _exit(128 + number);
 }

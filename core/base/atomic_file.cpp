@@ -42,9 +42,9 @@ Result<fs::path> FollowLinks(const std::string& path) {
 }
 
 // ".walk.0001.4711-3.png" for "walk.0001.png": hidden, unique in this process and among processes, same extension.
-fs::path TemporaryFor(const fs::path& target) {
+fs::path TemporaryFor(const fs::path& target, const std::string& other_extension) {
   static std::atomic<unsigned> counter{0};
-  const std::string extension = target.extension().string();
+  const std::string extension = other_extension.empty() ? target.extension().string() : other_extension;
   const std::string suffix = fmt::format(".{}-{}{}", getpid(), counter.fetch_add(1), extension);
   const std::string stem = target.stem().string().substr(0, NAME_MAX - suffix.size() - 1);
   return target.parent_path() / ("." + stem + suffix);
@@ -69,7 +69,7 @@ Result<mode_t> CheckReplaceable(const std::string& path, const fs::path& target)
 
 }  // namespace
 
-Result<AtomicFile> AtomicFile::Create(const std::string& path) {
+Result<AtomicFile> AtomicFile::Create(const std::string& path, const std::string& temporary_extension) {
   const Result<fs::path> target = FollowLinks(path);
   if (!target) return std::unexpected(target.error());
   const Result<mode_t> mode = CheckReplaceable(path, *target);
@@ -79,10 +79,10 @@ Result<AtomicFile> AtomicFile::Create(const std::string& path) {
   file.name_ = path;
   file.target_ = target->string();
   for (;;) {
-    file.temporary_ = TemporaryFor(*target).string();
+    file.temporary_ = TemporaryFor(*target, temporary_extension).string();
     // Registered first: a signal between the two calls then still finds it.
     file.id_ = RegisterTemporary(file.temporary_);
-    file.descriptor_ = open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    file.descriptor_ = open(file.temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file.descriptor_ >= 0) break;
     const int failure = errno;
     UnregisterTemporary(std::exchange(file.id_, kNotRegistered));

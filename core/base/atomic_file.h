@@ -17,14 +17,15 @@ namespace burin::base {
 /// without write permission are refused; an existing file's permissions are kept. Errors: kFailed, naming the path.
 class AtomicFile {
  public:
-  [[nodiscard]] static Result<AtomicFile> Create(const std::string& path);
+  /// `temporary_extension` (".mkv"): other than that of `path`, for a library that shall write another format.
+  [[nodiscard]] static Result<AtomicFile> Create(const std::string& path, const std::string& temporary_extension = {});
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   ~AtomicFile();
 
   [[nodiscard]] const std::string& temporary_path() const { return temporary_; }
-  /// Open for writing at the start of the temporary; owned by this object.
+  /// Open for reading and writing at the start of the temporary; owned by this object.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
   [[nodiscard]] Result<void> Commit();

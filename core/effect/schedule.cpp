@@ -66,7 +66,10 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
 void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std::size_t> custom_target,
               glm::ivec2 frame, Schedule& schedule) {
   for (std::size_t pass = 0; pass < effect.techniques[technique].passes.size(); ++pass) {
-    Step step{.technique = technique, .pass = pass, .draws_scene = custom_target.has_value()};
+    Step step;
+    step.technique = technique;
+    step.pass = pass;
+    step.draws_scene = custom_target.has_value();
     if (custom_target) {
       step.targets = {*custom_target};
     } else {

@@ -81,6 +81,18 @@ bool SameColors(const gl::Format& a, const gl::Format& b) {
   return std::equal(a.swizzle.begin(), a.swizzle.begin() + 3, b.swizzle.begin());
 }
 
+// True when the same bits mean the same in both. A target that reads alpha as 1 may hold any.
+bool CanCopy(const gl::Texture& picture, image::Encoding encoding, const Request& request) {
+  if (request.attribute != Attribute::kColor && request.attribute != Attribute::kVideo) return false;
+  const gl::Texture& target = *request.target;
+  const gl::Format& from = picture.format();
+  const gl::Format& to = target.format();
+  const bool same_meaning = encoding == request.encoding || encoding == image::Encoding::kData ||
+                            request.encoding == image::Encoding::kData;
+  return same_meaning && picture.width() == target.width() && picture.height() == target.height() &&
+         from.internal == to.internal && SameColors(from, to) && (from.swizzle[3] == to.swizzle[3] || HidesAlpha(to));
+}
+
 class Renderer final : public PictureRenderer {
  public:
   explicit Renderer(gl::FullscreenQuad quad) : quad_(std::move(quad)) {}
@@ -94,7 +106,7 @@ class Renderer final : public PictureRenderer {
         const Storage storage{request.attribute, target.format(), request.encoding};
         const std::array<float, 4> value = StoredBackground(storage, {0, 0, 0, 0});
         glClearTexImage(target.id(), 0, GL_RGBA, GL_FLOAT, value.data());
-      } else if (CanAlias(picture, encoding, request)) {
+      } else if (CanCopy(picture, encoding, request)) {
         glCopyImageSubData(picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0, 0, 0, 0, picture.width(),
                            picture.height(), 1);
       } else {
@@ -153,13 +165,7 @@ class Renderer final : public PictureRenderer {
 }  // namespace
 
 bool PictureRenderer::CanAlias(const gl::Texture& picture, image::Encoding picture_encoding, const Request& request) {
-  if (request.attribute != Attribute::kColor && request.attribute != Attribute::kVideo) return false;
-  const gl::Texture& target = *request.target;
-  const bool same_meaning = picture_encoding == request.encoding || picture_encoding == image::Encoding::kData ||
-                            request.encoding == image::Encoding::kData;
-  return same_meaning && picture.width() == target.width() && picture.height() == target.height() &&
-         picture.format().internal == target.format().internal && SameColors(picture.format(), target.format()) &&
-         (picture.format().swizzle[3] == target.format().swizzle[3] || HidesAlpha(target.format()));
+  return CanCopy(picture, picture_encoding, request) && picture.format().swizzle == request.target->format().swizzle;
 }
 
 Result<std::unique_ptr<PictureRenderer>> PictureRenderer::Create() {

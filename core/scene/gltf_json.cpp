@@ -244,6 +244,26 @@ Result<void> CheckStrides(const Json& root) {
   return {};
 }
 
+/// An object whose "type" is `type` needs the property of that name.
+Result<void> CheckKinds(const Json& objects, const std::string& where, std::initializer_list<const char*> types) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    for (const char* type : types) {
+      if (objects[i]["type"] != type || objects[i].contains(type)) continue;
+      return Fail(ErrorKind::kInput, fmt::format("{}[{}]: \"{}\" is missing", where, i, type));
+    }
+  }
+  return {};
+}
+
+Result<void> CheckCamerasAndLights(const Json& root) {
+  if (root.contains("cameras")) {
+    if (auto ok = CheckKinds(root["cameras"], "cameras", {"perspective", "orthographic"}); !ok) return ok;
+  }
+  const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (!root.contains(lights)) return {};
+  return CheckKinds(root[lights], "extensions.KHR_lights_punctual.lights", {"spot"});
+}
+
 /// Compressed vertices stand in an extension, and the accessors have no bytes. (An uncompressed copy may stand beside them.)
 Result<void> CheckCompression(const Json& root) {
   if (!root.contains("meshes")) return {};
@@ -306,6 +326,7 @@ Result<GltfJson> Split(std::string_view text) {
   const Json& root = document;   // const: [] of a missing key must not make one
   if (auto ok = CheckVersion(root["asset"]); !ok) return std::unexpected(ok.error());
   if (auto ok = CheckStrides(root); !ok) return std::unexpected(ok.error());
+  if (auto ok = CheckCamerasAndLights(root); !ok) return std::unexpected(ok.error());
   if (auto ok = CheckCompression(root); !ok) return std::unexpected(ok.error());
   GltfJson result;
   auto images = TakeImages(document);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "fx_parser/syntax/literal.h"
 
@@ -40,6 +41,22 @@ std::vector<Token> ReplaceDefined(const MacroContext& context, const std::vector
     }
   }
   return result;
+}
+
+// As MacroExpander::ExpandAll, but what follows a `defined` that a macro brings stays as it is.
+std::vector<Token> ExpandAroundDefined(MacroContext& context, std::vector<Token> tokens) {
+  TokenListSource source(std::move(tokens));
+  MacroExpander expander(context, source);
+  std::vector<Token> expanded;
+  for (Token token = expander.Next(); token.kind != TokenKind::kEnd; token = expander.Next()) {
+    expanded.push_back(token);
+    if (!token.Is("defined")) continue;
+    Token operand = expander.NextUnexpanded();
+    if (operand.kind != TokenKind::kEnd) expanded.push_back(operand);
+    if (operand.kind == TokenKind::kLeftParen) operand = expander.NextUnexpanded();
+    if (expanded.back().kind == TokenKind::kLeftParen && operand.kind != TokenKind::kEnd) expanded.push_back(operand);
+  }
+  return expanded;
 }
 
 int Precedence(TokenKind kind) {
@@ -204,9 +221,9 @@ class Evaluator {
 }  // namespace
 
 bool EvaluateCondition(MacroContext& context, const std::vector<Token>& line, const Token& directive) {
-  std::vector<Token> tokens = MacroExpander::ExpandAll(context, ReplaceDefined(context, line));
+  std::vector<Token> tokens = ExpandAroundDefined(context, ReplaceDefined(context, line));
   if (context.stopped()) return false;
-  tokens = ReplaceDefined(context, tokens);   // macros may bring `defined` with them
+  tokens = ReplaceDefined(context, tokens);
   return Evaluator(tokens, directive, context.diagnostics()).Run();
 }
 

@@ -85,7 +85,9 @@ std::string_view Lexer::RestOfLine(Location* begin) {
   while (ClassOf(At()) == CharacterClass::kSpace) ++position_;
   *begin = location();
   const std::size_t start = position_;
-  while (position_ < text_.size() && At() != '\n') ++position_;
+  while (position_ < text_.size() && At() != '\n') {
+    if (At() != '\\' || !SkipLineSplice()) ++position_;
+  }
   std::string_view rest = text_.substr(start, position_ - start);
   while (!rest.empty() && ClassOf(rest.back()) == CharacterClass::kSpace) rest.remove_suffix(1);
   return rest;

@@ -7,18 +7,6 @@ namespace burin::fx {
 
 namespace {
 
-class ListSource final : public TokenSource {
- public:
-  explicit ListSource(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
-
-  Token Next(bool) override { return next_ < tokens_.size() ? tokens_[next_++] : Token{}; }
-  TokenKind PeekKind() override { return next_ < tokens_.size() ? tokens_[next_].kind : TokenKind::kEnd; }
-
- private:
-  std::vector<Token> tokens_;
-  std::size_t next_ = 0;
-};
-
 std::string Quote(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -35,7 +23,7 @@ MacroExpander::~MacroExpander() {
 }
 
 std::vector<Token> MacroExpander::ExpandAll(MacroContext& context, std::vector<Token> tokens, int depth) {
-  ListSource source(std::move(tokens));
+  TokenListSource source(std::move(tokens));
   MacroExpander expander(context, source, depth);
   std::vector<Token> expanded;
   for (Token token = expander.Next(); token.kind != TokenKind::kEnd; token = expander.Next()) {
@@ -122,7 +110,7 @@ bool MacroExpander::CollectArguments(const Token& name, const Macro& macro, std:
   arguments.emplace_back();
   int nesting = 0;
   for (;;) {
-    const Token token = Pull(true);
+    Token token = Pull(true);
     if (token.kind == TokenKind::kEnd) {
       if (!context_.stopped()) {
         context_.diagnostics().Error(name.range(), "B1011", "missing ')' to end the arguments of macro '" + macro.name + "'");
@@ -130,6 +118,8 @@ bool MacroExpander::CollectArguments(const Token& name, const Macro& macro, std:
       return false;
     }
     if (!context_.Count(1, name)) return false;
+    token.space_before |= token.starts_line;   // line breaks among arguments are only space
+    token.starts_line = false;
     if (token.kind == TokenKind::kLeftParen) ++nesting;
     if (token.kind == TokenKind::kRightParen && nesting-- == 0) break;
     const bool in_rest = macro.is_variadic && arguments.size() == macro.parameters.size();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "fx_parser/source/diagnostic.h"
@@ -17,6 +18,18 @@ class TokenSource {
   virtual Token Next(bool inside_arguments) = 0;
   /// What the next token is, without side effects; kHash stands for a directive that comes first.
   [[nodiscard]] virtual TokenKind PeekKind() = 0;
+};
+
+class TokenListSource final : public TokenSource {
+ public:
+  explicit TokenListSource(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
+
+  Token Next(bool) override { return next_ < tokens_.size() ? tokens_[next_++] : Token{}; }
+  TokenKind PeekKind() override { return next_ < tokens_.size() ? tokens_[next_].kind : TokenKind::kEnd; }
+
+ private:
+  std::vector<Token> tokens_;
+  std::size_t next_ = 0;
 };
 
 /// What every expansion of one compilation shares: definitions, new texts, places and limits.
@@ -65,6 +78,8 @@ class MacroExpander {
   MacroExpander& operator=(const MacroExpander&) = delete;
 
   Token Next();
+  /// The next token as it stands, for the operand of `defined`.
+  Token NextUnexpanded() { return Pull(false); }
 
   /// All of `tokens`, expanded on their own.
   [[nodiscard]] static std::vector<Token> ExpandAll(MacroContext& context, std::vector<Token> tokens, int depth = 0);

@@ -159,7 +159,7 @@ ast::StatementPtr Parser::ParseJump() {
   const std::string keyword(Advance().text);
   if (keyword == "return") {
     ast::Return node;
-    if (!Is(TokenKind::kSemicolon)) {
+    if (!Is(TokenKind::kSemicolon) && !Is(TokenKind::kRightBrace)) {
       node.value = ParseExpression();
       if (!node.value) return nullptr;
     }

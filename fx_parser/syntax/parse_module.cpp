@@ -58,7 +58,7 @@ bool Parser::ParseGlobal(ast::Module& module) {
   Specifiers specifiers;
   if (!ParseSpecifiers(specifiers)) return false;
   const bool is_function = Is(TokenKind::kIdentifier) && Is(TokenKind::kLeftParen, 1);
-  const bool only_structure = specifiers.structure && !Is(TokenKind::kIdentifier);
+  const bool only_structure = specifiers.structure && (!Is(TokenKind::kIdentifier) || AtDeclarationKeyword());
   ast::Struct* const structure = specifiers.structure.get();
   if (structure) module.declarations.emplace_back(std::move(specifiers.structure));
   if (only_structure) return ExpectSemicolon("struct" + (structure->name.empty() ? "" : " '" + structure->name + "'"));

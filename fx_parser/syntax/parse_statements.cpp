@@ -80,7 +80,10 @@ ast::StatementPtr Parser::ParseDeclarationStatement() {
     return nullptr;
   }
   declaration.structure = std::move(specifiers.structure);
-  if (declaration.structure && Accept(TokenKind::kSemicolon)) return MakeStatement(first, std::move(declaration));
+  if (declaration.structure && (!Is(TokenKind::kIdentifier) || AtDeclarationKeyword())) {
+    if (!ExpectSemicolon("struct")) return nullptr;
+    return MakeStatement(first, std::move(declaration));
+  }
   if (!ParseVariables(specifiers, false, declaration.variables)) return nullptr;
   return MakeStatement(first, std::move(declaration));
 }

@@ -22,13 +22,19 @@ std::unique_ptr<ast::Struct> Parser::ParseStruct() {
   if (!Expect(TokenKind::kLeftBrace, "'{' to begin the struct")) return nullptr;
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
     const std::size_t first = position_;
-    if (AtTechnique()) break;
+    if (AtTechnique() || AtOuterFunction()) break;   // the '}' is missing
     if (!ParseMember(*structure)) SkipStatement(first);
     if (position_ == first) Advance();
   }
   const std::string what = "'}' to end struct" + (structure->name.empty() ? "" : " '" + structure->name + "'");
-  if (!ExpectClosing(TokenKind::kRightBrace, what, opening)) return nullptr;
+  ExpectClosing(TokenKind::kRightBrace, what, opening);
   return structure;
+}
+
+// `float4 main(` in column 1: no member, but the next thing at file scope.
+bool Parser::AtOuterFunction() const {
+  return Peek().starts_line && Peek().begin.column == 1 && Is(TokenKind::kIdentifier) &&
+         Is(TokenKind::kIdentifier, 1) && Is(TokenKind::kLeftParen, 2);
 }
 
 bool Parser::ParseMember(ast::Struct& structure) {

@@ -44,9 +44,7 @@ std::unique_ptr<ast::Technique> Parser::ParseTechnique() {
     }
     if (position_ == first) Advance();
   }
-  if (!ExpectClosing(TokenKind::kRightBrace, "'}' to end " + Named("technique", technique->name), opening)) {
-    return nullptr;
-  }
+  ExpectClosing(TokenKind::kRightBrace, "'}' to end " + Named("technique", technique->name), opening);
   Accept(TokenKind::kSemicolon);
   return technique;
 }
@@ -64,7 +62,8 @@ bool Parser::ParsePass(ast::Technique& technique) {
   ParseStates(pass.states, "render state");
   const std::string what = "'}' to end " + Named("pass", pass.name);
   technique.passes.push_back(std::move(pass));
-  return ExpectClosing(TokenKind::kRightBrace, what, opening);
+  ExpectClosing(TokenKind::kRightBrace, what, opening);   // where it is missing, the next pass or technique follows
+  return true;
 }
 
 }  // namespace burin::fx

@@ -89,6 +89,7 @@ class Parser {
   // parse_structs.cpp
   std::unique_ptr<ast::Struct> ParseStruct();
   bool ParseMember(ast::Struct& structure);
+  [[nodiscard]] bool AtOuterFunction() const;
 
   // parse_variables.cpp
   using VariableList = std::vector<std::unique_ptr<ast::Variable>>;

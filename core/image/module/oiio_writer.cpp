@@ -14,7 +14,7 @@
 #include "core/base/path.h"
 #include "core/image/convert.h"
 #include "core/image/module/writer.h"
-#include "core/image/tiff_date.h"
+#include "core/image/tiff_stream.h"
 
 namespace burin::image {
 namespace {

@@ -21,6 +21,8 @@
 #include "core/image/jpeg_end.h"
 #include "core/image/module/channel_choice.h"
 #include "core/image/orientation.h"
+#include "core/image/png_stream.h"
+#include "core/image/tiff_stream.h"
 
 namespace burin::image {
 namespace {
@@ -37,6 +39,7 @@ std::unexpected<Error> CannotRead(const std::string& name, const std::string& wh
 
 // OpenImageIO ends some messages with a newline, repeats some, and puts the path in front of a few.
 std::string Tidy(std::string text, const std::string& name) {
+  if (text.find("could not find a format reader") != std::string::npos) return "it is in no image format that is known";
   if (const std::string front = fmt::format("\"{}\": ", name); text.starts_with(front)) text.erase(0, front.size());
   text = text.substr(0, text.find('\n'));
   return text.empty() ? "the file is damaged" : text;
@@ -162,9 +165,31 @@ Result<Image> ToDisplayWindow(Image data, const OIIO::ImageSpec& spec, const std
   return full;
 }
 
+// Row by row: for whole images OpenImageIO 2.4 unpacks TIFF strips itself and doesn't look whether that worked.
+Result<Image> ReadTiffRows(OIIO::ImageInput& input, const Plan& plan, Image image, const std::string& name) {
+  const OIIO::TypeDesc type = TypeDescOf(plan.type);
+  const std::size_t sample = SampleBytes(plan.type);
+  const std::size_t stored_channels = static_cast<std::size_t>(input.spec().nchannels);
+  std::vector<std::byte> row(static_cast<std::size_t>(image.width) * stored_channels * sample);
+  std::byte* target = image.pixels.data();
+  for (int y = 0; y < image.height; ++y) {
+    if (!input.read_scanline(y + input.spec().y, 0, type, row.data())) return CannotRead(name, Tidy(input.geterror(), name));
+    for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x) {
+      for (const int channel : plan.channels) {
+        std::memcpy(target, row.data() + (x * stored_channels + static_cast<std::size_t>(channel)) * sample, sample);
+        target += sample;
+      }
+    }
+  }
+  return image;
+}
+
 Result<Image> ReadPixels(OIIO::ImageInput& input, const Plan& plan, const std::string& name) {
   const OIIO::ImageSpec& spec = input.spec();
   Image image = MakeImage(spec.width, spec.height, static_cast<int>(plan.channels.size()), plan.type, EncodingOf(plan.type));
+  if (std::string_view(input.format_name()) == "tiff" && spec.tile_width == 0) {
+    return ReadTiffRows(input, plan, std::move(image), name);
+  }
   const OIIO::TypeDesc type = TypeDescOf(plan.type);
   const bool in_order = std::ranges::adjacent_find(plan.channels, [](int a, int b) { return b != a + 1; }) == plan.channels.end();
   if (in_order) {
@@ -216,7 +241,10 @@ Result<Image> ReadWith(const std::string& open_as, const std::string& name, std:
   try {
     OIIO::ImageSpec config;
     config["oiio:UnassociatedAlpha"] = 1;
-    const auto input = OIIO::ImageInput::open(open_as, &config, proxy);
+    // As an attribute: the parameter of ImageInput::open doesn't reach the format readers in 2.4.
+    void* pointer = proxy;
+    if (proxy != nullptr) config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
+    const auto input = OIIO::ImageInput::open(open_as, &config);
     if (!input) return CannotRead(name, Tidy(OIIO::geterror(), open_as));
     return ReadOpen(*input, name, file_bytes);
   } catch (const std::exception& e) {
@@ -231,12 +259,14 @@ bool StartsWith(std::span<const std::byte> bytes, std::string_view magic) {
 // Formats that may be embedded, by their first bytes: OpenImageIO wants a file name to choose by.
 std::optional<std::string_view> SniffExtension(std::span<const std::byte> bytes) {
   using namespace std::string_view_literals;
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMagics{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kMagics{{
       {"\x89PNG\r\n\x1A\n"sv, "png"},
       {"\xFF\xD8\xFF"sv, "jpg"},
       {"\x76\x2F\x31\x01"sv, "exr"},
       {"II*\0"sv, "tif"},
       {"MM\0*"sv, "tif"},
+      {"II+\0"sv, "tif"},
+      {"MM\0+"sv, "tif"},
       {"#?RADIANCE"sv, "hdr"},
       {"RIFF"sv, "webp"},
   }};
@@ -274,6 +304,14 @@ Result<Image> ReadBytes(std::span<const std::byte> bytes, const std::string& nam
   const auto extension = SniffExtension(bytes);
   if (!extension) return CannotRead(name, "it is no PNG, JPEG, TIFF, EXR, HDR or WebP data");
   if (*extension == "jpg" && !ReachesJpegEnd(bytes)) return CannotRead(name, "the JPEG data ends too early");
+  if (*extension == "tif" && !TiffIsWhole(bytes)) return CannotRead(name, "the TIFF data ends too early");
+  std::vector<std::byte> storage;
+  if (*extension == "png") {
+    auto picture = PngPicture(bytes);
+    if (!picture) return CannotRead(name, picture.error());
+    storage = std::move(*picture);
+    bytes = storage;
+  }
   OIIO::Filesystem::IOMemReader proxy(bytes.data(), bytes.size());
   return ReadWith(fmt::format("memory.{}", *extension), name, bytes.size(), &proxy);
 }
@@ -288,8 +326,8 @@ Result<Image> ReadFile(const std::string& path) {
   if (status.st_size == 0) return CannotRead(path, "it is empty");
   const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
 
-  std::array<std::byte, 4> magic{};
-  if (pread(file.value(), magic.data(), magic.size(), 0) == 4 && StartsWith(magic, "\xFF\xD8\xFF")) {
+  std::array<std::byte, 12> magic{};
+  if (pread(file.value(), magic.data(), magic.size(), 0) > 0 && SniffExtension(magic)) {
     const auto bytes = Slurp(file.value(), size, path);
     return bytes ? ReadBytes(*bytes, path) : std::unexpected(bytes.error());
   }

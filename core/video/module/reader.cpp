@@ -3,8 +3,10 @@
 // as many threads as there are processors and hands over BGR; it turns frames by the container's rotation itself.
 #include "core/video/module/reader.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,6 +19,7 @@
 
 #include "core/base/path.h"
 #include "core/video/frame_rate.h"
+#include "core/video/matroska.h"
 #include "core/video/module/ffmpeg_log.h"
 
 namespace burin::video {
@@ -26,15 +29,22 @@ std::unexpected<Error> CannotRead(const std::string& path, const std::string& wh
   return Fail(ErrorKind::kInput, fmt::format("cannot read '{}': {}", path, why));
 }
 
-// MP4 and AVI list their frames; elsewhere OpenCV multiplies a duration, that of the longest stream, by the rate.
 bool CountsExactly(const std::string& path) {
   const std::string extension = base::LowerExtension(path);
   return extension == "mp4" || extension == "mov" || extension == "m4v" || extension == "avi" || extension == "3gp";
 }
 
+bool TellsOfTruncation(const std::string& ffmpeg_error) {
+  for (const char* phrase : {"ended prematurely", "partial file", "runcated"}) {
+    if (ffmpeg_error.find(phrase) != std::string::npos) return true;
+  }
+  return false;
+}
+
 class OpencvReader final : public VideoReader {
  public:
-  OpencvReader(std::string path, cv::VideoCapture capture) : path_(std::move(path)), capture_(std::move(capture)) {}
+  OpencvReader(std::string path, cv::VideoCapture capture, bool cut_off)
+      : path_(std::move(path)), capture_(std::move(capture)), cut_off_(cut_off) {}
 
   // Decodes the first frame, so that a file whose stream can't be decoded fails when it is opened.
   Result<void> Start() {
@@ -87,41 +97,47 @@ class OpencvReader final : public VideoReader {
     }
   }
 
-  // The end, or a stream that broke off? ffmpeg often says so; a count that is far off says it too.
+  // The end, or a stream that broke off? MP4 and AVI list their frames; elsewhere the count is a duration (that of the
+  // longest stream) times a rate, and only ffmpeg's word or the container's own size can be trusted.
   Result<bool> CheckEnd() {
-    if (!info_.frame_count || frames_ >= *info_.frame_count) return false;
-    const long missing = *info_.frame_count - frames_;
-    // Frames cut by an edit list, or sound that outlasts the picture.
-    constexpr long kCutFrames = 2;
-    constexpr double kLongerSound_s = 1.0;
-    const long tolerance = CountsExactly(path_) ? kCutFrames : std::lround(kLongerSound_s * info_.rate.value()) + kCutFrames;
     const std::string why = TakeFfmpegError();
-    if (missing <= tolerance && why.empty()) return false;
-    return CannotRead(path_, fmt::format("it breaks off after frame {}, but says that it has {}{}", frames_,
-                                         *info_.frame_count, why.empty() ? "" : fmt::format(" ({})", why)));
+    const long missing = info_.frame_count.value_or(0) - frames_;
+    constexpr long kCutByEditList = 2;
+    const bool listed = CountsExactly(path_) && missing > (why.empty() ? kCutByEditList : 0);
+    if (!listed && !cut_off_ && !TellsOfTruncation(why)) return false;
+    std::string message = fmt::format("it breaks off after frame {}", frames_);
+    if (missing > 0) message += fmt::format(", but says that it has {}", *info_.frame_count);
+    return CannotRead(path_, why.empty() ? message : fmt::format("{} ({})", message, why));
   }
 
   std::string path_;
   cv::VideoCapture capture_;
+  bool cut_off_;        ///< the container's own size says so
   cv::Mat bgr_;
   VideoInfo info_;
   bool held_ = false;   ///< bgr_ is decoded and not yet handed out
   long frames_ = 0;
 };
 
-Result<void> CheckFile(const std::string& path) {
+// Whether the file can be a video at all, and whether it is one that was cut off.
+Result<bool> CheckFile(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return CannotRead(path, std::strerror(errno));
   if (S_ISDIR(status.st_mode)) return CannotRead(path, "it is a folder");
   if (!S_ISREG(status.st_mode)) return CannotRead(path, "it is not a regular file");
   if (status.st_size == 0) return CannotRead(path, "it is empty");
-  return {};
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return CannotRead(path, std::strerror(errno));
+  const bool cut_off = MatroskaIsCutOff(descriptor);
+  close(descriptor);
+  return cut_off;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<VideoReader>> OpenOpencvReader(const std::string& path) {
-  if (const Result<void> checked = CheckFile(path); !checked) return std::unexpected(checked.error());
+  const Result<bool> cut_off = CheckFile(path);
+  if (!cut_off) return std::unexpected(cut_off.error());
   CaptureFfmpegLog();
   static_cast<void>(TakeFfmpegError());
   try {
@@ -130,9 +146,10 @@ Result<std::unique_ptr<VideoReader>> OpenOpencvReader(const std::string& path) {
     cv::VideoCapture capture(absolute, cv::CAP_FFMPEG);
     if (!capture.isOpened()) {
       const std::string why = TakeFfmpegError();
-      return CannotRead(path, why.empty() ? "it is no video that ffmpeg knows" : fmt::format("it is no whole video ({})", why));
+      return CannotRead(path, why.empty() ? "it holds no video that ffmpeg can decode"
+                                          : fmt::format("it is no whole video ({})", why));
     }
-    auto reader = std::make_unique<OpencvReader>(path, std::move(capture));
+    auto reader = std::make_unique<OpencvReader>(path, std::move(capture), *cut_off);
     if (const Result<void> started = reader->Start(); !started) return std::unexpected(started.error());
     return reader;
   } catch (const std::exception& e) {

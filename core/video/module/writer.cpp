@@ -16,6 +16,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/path.h"
+#include "core/video/matroska.h"
 #include "core/video/module/ffmpeg_log.h"
 
 namespace burin::video {
@@ -25,17 +26,23 @@ struct Container {
   std::string_view extension;
   std::string_view codec;
   std::array<char, 4> fourcc;
-  bool halves_chroma;
+  std::string_view written_as;   ///< the extension that OpenCV is given
 };
 
+// WebM is Matroska with another document type; OpenCV prints a complaint about the tag when it is asked for .webm.
 constexpr std::array<Container, 6> kContainers{{
-    {"mkv", "FFV1", {'F', 'F', 'V', '1'}, false},
-    {"avi", "FFV1", {'F', 'F', 'V', '1'}, false},
-    {"mp4", "H.264", {'a', 'v', 'c', '1'}, true},
-    {"m4v", "H.264", {'a', 'v', 'c', '1'}, true},
-    {"mov", "H.264", {'a', 'v', 'c', '1'}, true},
-    {"webm", "VP9", {'V', 'P', '9', '0'}, true},
+    {"mkv", "FFV1", {'F', 'F', 'V', '1'}, ".mkv"},
+    {"avi", "FFV1", {'F', 'F', 'V', '1'}, ".avi"},
+    {"mp4", "H.264", {'a', 'v', 'c', '1'}, ".mp4"},
+    {"m4v", "H.264", {'a', 'v', 'c', '1'}, ".mp4"},
+    {"mov", "H.264", {'a', 'v', 'c', '1'}, ".mov"},
+    {"webm", "VP9", {'V', 'P', '9', '0'}, ".mkv"},
 }};
+
+std::optional<MatroskaKind> KindOf(const Container& container) {
+  if (container.written_as != ".mkv") return std::nullopt;
+  return container.extension == "webm" ? MatroskaKind::kWebm : MatroskaKind::kMatroska;
+}
 
 std::unexpected<Error> CannotWrite(const std::string& path, const std::string& why) {
   return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}': {}", path, why));
@@ -61,19 +68,24 @@ Result<const Container*> CheckRequest(const std::string& path, const VideoWriteO
     return CannotWrite(path, fmt::format("a video of {}x{} at {}/{} frames a second", options.width, options.height,
                                          options.rate.numerator, options.rate.denominator));
   }
-  if (container->halves_chroma && (options.width % 2 != 0 || options.height % 2 != 0)) {
+  if (options.width % 2 != 0 || options.height % 2 != 0) {
     return Fail(ErrorKind::kUsage,
-                fmt::format("cannot write '{}': {} halves the chroma and needs an even width and height, not {}x{}; choose "
-                            "an even --size, or .mkv (FFV1, lossless), which takes any",
-                            path, container->codec, options.width, options.height));
+                fmt::format("cannot write '{}': OpenCV writes videos of even width and height only, not {}x{}; choose an "
+                            "even --size, write an image sequence (name.####.png), or y4m to - and pipe it into ffmpeg",
+                            path, options.width, options.height));
   }
   return container;
 }
 
 class OpencvWriter final : public VideoWriter {
  public:
-  OpencvWriter(std::string path, base::AtomicFile file, cv::VideoWriter writer, const VideoWriteOptions& options)
-      : path_(std::move(path)), file_(std::move(file)), writer_(std::move(writer)), options_(options) {}
+  OpencvWriter(std::string path, base::AtomicFile file, cv::VideoWriter writer, const VideoWriteOptions& options,
+               std::optional<MatroskaKind> matroska)
+      : path_(std::move(path)),
+        file_(std::move(file)),
+        writer_(std::move(writer)),
+        options_(options),
+        matroska_(matroska) {}
 
   Result<void> Write(const image::Image& frame) override {
     if (frame.type != image::SampleType::kU8 || (frame.channels != 3 && frame.channels != 4) ||
@@ -101,6 +113,11 @@ class OpencvWriter final : public VideoWriter {
       writer_.release();
       if (frames_ == 0) return CannotWrite(path_, "it got no frames");
       if (const Result<void> checked = CheckWritten(); !checked) return checked;
+      if (matroska_) {
+        const Result<long> count = SettleMatroska(file_.descriptor(), path_, options_.rate, *matroska_);
+        if (!count) return std::unexpected(count.error());
+        if (*count != frames_) return Lost(*count, "");
+      }
     } catch (const std::exception& e) {
       return CannotWrite(path_, e.what());
     }
@@ -120,10 +137,11 @@ class OpencvWriter final : public VideoWriter {
                                             options_.width, options_.height));
     }
     const long count = std::lround(written.get(cv::CAP_PROP_FRAME_COUNT));
-    if (count != frames_) {
-      return CannotWrite(path_, fmt::format("{} of {} frames are in the file{}", count, frames_, Parenthesis(why)));
-    }
-    return {};
+    return count == frames_ ? Result<void>{} : Lost(count, why);
+  }
+
+  [[nodiscard]] Result<void> Lost(long count, const std::string& why) const {
+    return CannotWrite(path_, fmt::format("{} of {} frames are in the file{}", count, frames_, Parenthesis(why)));
   }
 
   static std::string Parenthesis(const std::string& why) { return why.empty() ? "" : fmt::format(" ({})", why); }
@@ -132,6 +150,7 @@ class OpencvWriter final : public VideoWriter {
   base::AtomicFile file_;
   cv::VideoWriter writer_;
   VideoWriteOptions options_;
+  std::optional<MatroskaKind> matroska_;
   cv::Mat bgr_;
   long frames_ = 0;
 };
@@ -141,7 +160,7 @@ class OpencvWriter final : public VideoWriter {
 Result<std::unique_ptr<VideoWriter>> OpenOpencvWriter(const std::string& path, const VideoWriteOptions& options) {
   const Result<const Container*> container = CheckRequest(path, options);
   if (!container) return std::unexpected(container.error());
-  Result<base::AtomicFile> file = base::AtomicFile::Create(path);
+  Result<base::AtomicFile> file = base::AtomicFile::Create(path, std::string((*container)->written_as));
   if (!file) return std::unexpected(file.error());
   CaptureFfmpegLog();
   static_cast<void>(TakeFfmpegError());
@@ -156,7 +175,7 @@ Result<std::unique_ptr<VideoWriter>> OpenOpencvWriter(const std::string& path, c
                                            (*container)->codec, options.width, options.height, options.rate.value(),
                                            why.empty() ? "" : fmt::format(" ({})", why)));
     }
-    return std::make_unique<OpencvWriter>(path, std::move(*file), std::move(writer), options);
+    return std::make_unique<OpencvWriter>(path, std::move(*file), std::move(writer), options, KindOf(**container));
   } catch (const std::exception& e) {
     return CannotWrite(path, e.what());
   }

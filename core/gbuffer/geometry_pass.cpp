@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/gbuffer/geometry_pass.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "core/gbuffer/gpu_blocks.h"
+
+namespace burin::gbuffer {
+namespace {
+
+constexpr std::uint32_t kBlendFeatures = kIsBlend | kIsBlendedColor;
+
+// Single-sided triangles show their fronts only. Lines and points have no back.
+void SetCulling(const PreparedDraw& draw) {
+  glFrontFace(draw.is_mirrored ? GL_CW : GL_CCW);
+  const bool culls = !draw.is_double_sided && draw.primitive->mode == GL_TRIANGLES;
+  culls ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+}
+
+void DrawElements(const PreparedDraw& draw) {
+  glDrawElements(draw.primitive->mode, draw.primitive->index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+// A blended surface that shows both sides: the far side lies behind the near one.
+void DrawBacksThenFronts(const PreparedDraw& draw) {
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  DrawElements(draw);
+  glCullFace(GL_BACK);
+  DrawElements(draw);
+}
+
+}  // namespace
+
+std::vector<Output> GeometryPass::OutputsOf(Phase phase) const {
+  std::vector<Output> chosen;
+  for (const Output& output : outputs_) {
+    const bool is_in = phase == Phase::kOpaque || output.is_blended == (phase == Phase::kBlendedColor);
+    if (is_in) chosen.push_back(output);
+  }
+  return chosen;
+}
+
+Result<const gl::Program*> GeometryPass::ProgramOf(Phase phase, std::uint32_t features) {
+  const std::pair key(phase, features);
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return &found->second;
+  Result<gl::Program> program =
+      gl::Program::Create(GeometryVertexText(), GeometryFragmentText(OutputsOf(phase), features),
+                          fmt::format("geometry pass, features 0x{:x}", features));
+  if (!program) return std::unexpected(program.error());
+  return &programs_.emplace(key, std::move(*program)).first->second;
+}
+
+Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> draws, std::uint32_t block_buffer,
+                                     MaterialStore& materials) {
+  const std::vector<Output> outputs = OutputsOf(phase);
+  if (outputs.empty()) return {};
+  for (const Output& output : outputs_) {
+    const bool is_written = std::ranges::find(outputs, output.location, &Output::location) != outputs.end();
+    const GLboolean mask = is_written ? GL_TRUE : GL_FALSE;
+    glColorMaski(static_cast<GLuint>(output.location), mask, mask, mask, mask);
+  }
+  std::optional<std::pair<int, std::uint32_t>> bound;
+  for (const PreparedDraw& draw : draws) {
+    std::uint32_t features = draw.features & ~kBlendFeatures;
+    if (phase == Phase::kBlendedColor) features |= kIsBlendedColor;
+    if (phase == Phase::kBlendedOthers) features |= kIsBlend;
+    features = RelevantFeatures(outputs, features);
+    if (bound != std::pair(draw.material, features)) {
+      const Result<const gl::Program*> program = ProgramOf(phase, features);
+      if (!program) return std::unexpected(program.error());
+      glUseProgram((*program)->id());
+      if (Result<void> result = materials.Bind(draw.material, features); !result) return result;
+      bound = {draw.material, features};
+    }
+    glBindBufferRange(GL_UNIFORM_BUFFER, kDrawBinding, block_buffer,
+                      static_cast<GLintptr>(draw.block * AlignBlock(sizeof(DrawBlock))), sizeof(DrawBlock));
+    glBindVertexArray(draw.primitive->vertex_array.id());
+    SetCulling(draw);
+    const bool both_sides = phase == Phase::kBlendedColor && draw.is_double_sided && draw.primitive->mode == GL_TRIANGLES;
+    both_sides ? DrawBacksThenFronts(draw) : DrawElements(draw);
+  }
+  return {};
+}
+
+Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials) {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);   // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+  if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result) return result;
+  if (draws.blended.empty()) return {};
+
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  Result<void> result = DrawPhase(Phase::kBlendedColor, draws.blended, draws.block_buffer, materials);
+  if (!result) return result;
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+  return DrawPhase(Phase::kBlendedOthers, draws.blended, draws.block_buffer, materials);
+}
+
+}  // namespace burin::gbuffer

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cotangent frame without tangents: Schueler, "Normal Mapping without Precomputed Tangents" (ShaderX 5, 2006).
+#include "core/gbuffer/geometry_shader.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/gbuffer/gpu_blocks.h"
+#include "core/gbuffer/shading_glsl.h"
+
+namespace burin::gbuffer {
+namespace {
+
+constexpr std::string_view kVertexBody = R"(
+layout(location = 0) in vec3 in_position;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec4 in_tangent;
+layout(location = 4) in vec4 in_color;
+layout(location = 8) in vec2 in_texcoord0;
+layout(location = 9) in vec2 in_texcoord1;
+layout(location = 15) in vec3 in_previous_position;
+out vec3 v_position;
+out vec3 v_normal;
+out vec4 v_tangent;
+out vec4 v_color;
+out vec2 v_texcoord0;
+out vec2 v_texcoord1;
+out vec3 v_clip;
+out vec3 v_previous_clip;
+invariant gl_Position;
+void main() {
+  vec4 world = world_from_object * vec4(in_position, 1.0);
+  gl_Position = clip_from_world * world;
+  v_position = world.xyz;
+  v_clip = (clip_from_world * world).xyw;
+  v_previous_clip = (previous_clip_from_world * (previous_world_from_object * vec4(in_previous_position, 1.0))).xyw;
+  v_normal = mat3(normal_columns[0].xyz, normal_columns[1].xyz, normal_columns[2].xyz) * in_normal;
+  v_tangent = vec4(mat3(world_from_object) * in_tangent.xyz, in_tangent.w * normal_columns[0].w);
+  v_color = in_color;
+  v_texcoord0 = in_texcoord0;
+  v_texcoord1 = in_texcoord1;
+}
+)";
+
+constexpr std::string_view kFragmentInputs = R"(
+layout(binding = 0) uniform sampler2D base_color_texture;
+layout(binding = 1) uniform sampler2D metallic_roughness_texture;
+layout(binding = 2) uniform sampler2D normal_texture;
+layout(binding = 3) uniform sampler2D occlusion_texture;
+layout(binding = 4) uniform sampler2D emissive_texture;
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_tangent;
+in vec4 v_color;
+in vec2 v_texcoord0;
+in vec2 v_texcoord1;
+in vec3 v_clip;
+in vec3 v_previous_clip;
+
+struct Surface {
+  vec3 position;
+  vec3 view;        // towards the eye, unit
+  vec3 normal;      // unit, on the side that is seen
+  vec3 tangent;     // unit or 0
+  vec4 base;
+  vec3 emissive;
+  float metallic;
+  float roughness;
+  float occlusion;
+};
+)";
+
+constexpr std::string_view kSurfaceFunctions = R"(
+vec2 Texcoord(int use) {
+  vec3 uv = vec3(uv_rows[2 * use].w > 0.5 ? v_texcoord1 : v_texcoord0, 1.0);
+  return vec2(dot(uv_rows[2 * use].xyz, uv), dot(uv_rows[2 * use + 1].xyz, uv));
+}
+
+// (0,0,0) stays (0,0,0).
+vec3 Unit(vec3 v) {
+  float square = dot(v, v);
+  return square > 0.0 ? v * inversesqrt(square) : v;
+}
+
+// The directions in which u and v grow on the surface, from the derivatives of position and texture coordinates.
+mat2x3 CotangentFrame(vec3 n, vec2 uv) {
+  vec3 p1 = dFdx(v_position), p2 = dFdy(v_position);
+  vec2 uv1 = dFdx(uv), uv2 = dFdy(uv);
+  vec3 a = cross(p2, n), b = cross(n, p1);
+  vec3 t = a * uv1.x + b * uv2.x;
+  vec3 bt = a * uv1.y + b * uv2.y;
+  // The triangle's own orientation on the screen decides the sign of both.
+  float side = dot(cross(p1, p2), n) < 0.0 ? -1.0 : 1.0;
+  return mat2x3(side * t, -side * bt);   // glTF's normal maps have y up, against v
+}
+
+Surface GetSurface() {
+  Surface s;
+  s.position = v_position;
+  s.view = eye.w > 0.5 ? normalize(eye.xyz - v_position) : eye.xyz;
+  s.base = base_color * v_color;
+#if HAS_BASE_COLOR_TEXTURE
+  s.base *= texture(base_color_texture, Texcoord(0));
+#endif
+#if IS_MASKED
+  if (s.base.a < emissive_cutoff.w) discard;
+#elif IS_BLEND
+  if (s.base.a < BLEND_CUTOFF) discard;
+#endif
+  s.metallic = factors.x;
+  s.roughness = factors.y;
+#if HAS_METALLIC_ROUGHNESS_TEXTURE
+  vec4 mr = texture(metallic_roughness_texture, Texcoord(1));
+  s.metallic *= mr.b;
+  s.roughness *= mr.g;
+#endif
+  s.metallic = clamp(s.metallic, 0.0, 1.0);
+  s.roughness = clamp(s.roughness, 0.0, 1.0);
+  s.occlusion = 1.0;
+#if HAS_OCCLUSION_TEXTURE
+  s.occlusion = 1.0 + factors.w * (texture(occlusion_texture, Texcoord(3)).r - 1.0);
+#endif
+  s.emissive = emissive_cutoff.rgb;
+#if HAS_EMISSIVE_TEXTURE
+  s.emissive *= texture(emissive_texture, Texcoord(4)).rgb;
+#endif
+#if HAS_NORMALS
+  vec3 n = Unit(v_normal);
+#else
+  vec3 n = s.view;
+#endif
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+#if HAS_TANGENTS
+  s.tangent = Unit(v_tangent.xyz);
+  vec3 bitangent = cross(n, s.tangent) * v_tangent.w;
+#elif HAS_TEXCOORDS
+  mat2x3 frame = CotangentFrame(side * n, v_texcoord0);
+  s.tangent = Unit(frame[0]);
+  vec3 bitangent = Unit(frame[1]);
+#else
+  s.tangent = vec3(0.0);
+  vec3 bitangent = vec3(0.0);
+#endif
+#if HAS_NORMAL_TEXTURE
+  vec3 m = texture(normal_texture, Texcoord(2)).xyz * 2.0 - 1.0;
+  m.xy *= factors.z;
+  n = Unit(m.x * s.tangent + m.y * bitangent + m.z * n);
+#endif
+  s.normal = side * n;
+  return s;
+}
+
+vec2 PixelOf(vec3 clip) {
+  return (vec2(0.5, -0.5) * clip.xy / max(clip.z, 1e-6) + 0.5) * viewport.xy;
+}
+
+float LightDepth() {
+  vec3 d = v_position - key_position.xyz;
+  return key_direction.w > 0.5 && key_direction.w < 1.5 ? length(d) : dot(d, key_direction.xyz);
+}
+)";
+
+constexpr std::string_view kCoverage = R"(
+#if IS_BLENDED_COLOR
+  float coverage = clamp(s.base.a, 0.0, 1.0);
+#else
+  float coverage = 1.0;
+#endif
+)";
+
+// Lines and points without normals are not lit: glTF 2.0, 3.7.2.1 (implementation note on point and line materials).
+constexpr std::string_view kColorStatements = R"(
+#if IS_UNLIT && HAS_NORMALS
+  vec3 shaded = s.base.rgb;
+#elif IS_UNLIT
+  vec3 shaded = s.base.rgb + s.emissive;
+#else
+  vec3 shaded = Shade(s);
+#endif
+  vec4 color = vec4(max(shaded, vec3(0.0)) * coverage, coverage);
+)";
+
+struct FeatureName {
+  DrawFeature feature;
+  std::string_view name;
+};
+constexpr std::array kFeatureNames = {
+    FeatureName{kHasBaseColorTexture, "HAS_BASE_COLOR_TEXTURE"},
+    FeatureName{kHasMetallicRoughnessTexture, "HAS_METALLIC_ROUGHNESS_TEXTURE"},
+    FeatureName{kHasNormalTexture, "HAS_NORMAL_TEXTURE"},
+    FeatureName{kHasOcclusionTexture, "HAS_OCCLUSION_TEXTURE"},
+    FeatureName{kHasEmissiveTexture, "HAS_EMISSIVE_TEXTURE"},
+    FeatureName{kIsUnlit, "IS_UNLIT"},
+    FeatureName{kIsMasked, "IS_MASKED"},
+    FeatureName{kHasNormals, "HAS_NORMALS"},
+    FeatureName{kHasTangents, "HAS_TANGENTS"},
+    FeatureName{kHasTexcoords, "HAS_TEXCOORDS"},
+    FeatureName{kHasLights, "LIGHTS"},
+    FeatureName{kIsBlend, "IS_BLEND"},
+    FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
+};
+
+constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
+
+// The value of an attribute as StoreExpression wants it, and what it depends on.
+struct Source {
+  Attribute attribute;
+  std::string_view expression;
+  std::uint32_t features;
+};
+constexpr std::uint32_t kColorFeatures = kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasOcclusionTexture |
+                                         kHasEmissiveTexture | kIsUnlit | kHasLights | kNormalFeatures;
+constexpr std::array kSources = {
+    Source{Attribute::kColor, "color", kColorFeatures},
+    Source{Attribute::kIntensity, "color", kColorFeatures},
+    Source{Attribute::kAlpha, "vec4(0.0, 0.0, 0.0, coverage)", 0},
+    Source{Attribute::kAlbedo, "vec4(s.base.rgb, 0.0)", kHasBaseColorTexture},
+    Source{Attribute::kDepth, "vec4(-(view_from_world * vec4(v_position, 1.0)).z)", 0},
+    Source{Attribute::kZbuffer, "vec4(1.0 - gl_FragCoord.z)", 0},
+    Source{Attribute::kNormal, "vec4(s.normal, 0.0)", kNormalFeatures},
+    Source{Attribute::kViewNormal, "vec4(mat3(view_from_world) * s.normal, 0.0)", kNormalFeatures},
+    Source{Attribute::kTangent, "vec4(s.tangent, 0.0)", kHasNormals | kHasTangents | kHasTexcoords},
+    Source{Attribute::kPosition, "vec4(v_position, 0.0)", 0},
+    Source{Attribute::kViewPosition, "view_from_world * vec4(v_position, 1.0)", 0},
+    Source{Attribute::kScreenPosition, "vec4(gl_FragCoord.xy, 0.0, 0.0)", 0},
+    Source{Attribute::kTexcoord, "vec4(v_texcoord0, 0.0, 0.0)", 0},
+    Source{Attribute::kTexcoord1, "vec4(v_texcoord1, 0.0, 0.0)", 0},
+    Source{Attribute::kVertexColor, "v_color", 0},
+    Source{Attribute::kObjectId, "ids.x", 0},
+    Source{Attribute::kMaterialId, "ids.y", 0},
+    Source{Attribute::kPrimitiveId, "(ids.z + uint(gl_PrimitiveID))", 0},
+    Source{Attribute::kFacing, "vec4(gl_FrontFacing ? 1.0 : -1.0)", 0},
+    Source{Attribute::kVelocity, "vec4(PixelOf(v_clip) - PixelOf(v_previous_clip), 0.0, 0.0)", 0},
+    Source{Attribute::kEmissive, "vec4(s.emissive, 0.0)", kHasEmissiveTexture},
+    Source{Attribute::kRoughness, "vec4(s.roughness)", kHasMetallicRoughnessTexture},
+    Source{Attribute::kMetallic, "vec4(s.metallic)", kHasMetallicRoughnessTexture},
+    Source{Attribute::kLightDepth, "vec4(LightDepth())", 0},
+};
+
+const Source& SourceOf(Attribute attribute) { return *std::ranges::find(kSources, attribute, &Source::attribute); }
+
+std::string OutputStatement(const Output& output) {
+  const std::string target = fmt::format("out{}", output.location);
+  if (output.is_blended) return fmt::format("  {} = color;\n", target);
+  return fmt::format("  {} = {};\n", target, StoreExpression(output.storage, SourceOf(output.storage.attribute).expression));
+}
+
+bool NeedsColor(const std::vector<Output>& outputs) {
+  return std::ranges::any_of(outputs, [](const Output& output) {
+    return output.is_blended || output.storage.attribute == Attribute::kColor ||
+           output.storage.attribute == Attribute::kIntensity;
+  });
+}
+
+}  // namespace
+
+std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features) {
+  constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;   // a discarded fragment is missing from every attribute
+  std::uint32_t relevant = kDiscards | kIsBlendedColor;
+  if ((features & kDiscards) != 0) relevant |= kHasBaseColorTexture;
+  for (const Output& output : outputs) {
+    const bool is_color = output.is_blended || NeedsColor({output});
+    if (is_color && (features & kIsUnlit) != 0) {
+      relevant |= kIsUnlit | kHasBaseColorTexture | kHasNormals;
+      if ((features & kHasNormals) == 0) relevant |= kHasEmissiveTexture;
+    } else {
+      relevant |= is_color ? kColorFeatures : SourceOf(output.storage.attribute).features;
+    }
+  }
+  // Without a normal map the tangent frame serves only the tangent itself.
+  const bool wants_tangent = std::ranges::any_of(
+      outputs, [](const Output& output) { return output.storage.attribute == Attribute::kTangent && !output.is_blended; });
+  if ((features & relevant & kHasNormalTexture) == 0 && !wants_tangent) relevant &= ~(kHasTangents | kHasTexcoords);
+  if ((features & relevant & kHasTangents) != 0) relevant &= ~kHasTexcoords;
+  return features & relevant;
+}
+
+std::string GeometryVertexText() {
+  std::string text = "#version 450 core\n";
+  text += BlockDeclarations();
+  text += kVertexBody;
+  return text;
+}
+
+std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features) {
+  std::string text = "#version 450 core\n";
+  for (const FeatureName& entry : kFeatureNames) {
+    text += fmt::format("#define {} {}\n", entry.name, (features & entry.feature) != 0 ? 1 : 0);
+  }
+  text += fmt::format("#define BLEND_CUTOFF {:.3f}\n", kBlendCutoff);
+  text += BlockDeclarations();
+  text += kFragmentInputs;
+  text += StorageFunctions();
+  text += kSurfaceFunctions;
+  const bool needs_color = NeedsColor(outputs);
+  if (needs_color) text += ShadingFunctions();
+  for (const Output& output : outputs) {
+    text += fmt::format("layout(location = {0}) out vec4 out{0};\n", output.location);
+  }
+  text += "void main() {\n  Surface s = GetSurface();\n";
+  text += kCoverage;
+  if (needs_color) text += kColorStatements;
+  for (const Output& output : outputs) text += OutputStatement(output);
+  return text + "}\n";
+}
+
+}  // namespace burin::gbuffer

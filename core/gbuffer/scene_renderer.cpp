@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+#include <list>
+#include <map>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "core/gbuffer/attribute_renderer.h"
+#include "core/gbuffer/environment_light.h"
+#include "core/gbuffer/frame_blocks.h"
+#include "core/gbuffer/geometry_pass.h"
+#include "core/gbuffer/light_setup.h"
+#include "core/gbuffer/request_groups.h"
+#include "core/gl/debug.h"
+#include "core/gl/framebuffer.h"
+#include "core/gl/state.h"
+
+namespace burin::gbuffer {
+namespace {
+
+// Lights that a file brings leave the built-in studio only to fill their shadows.
+constexpr float kStudioFill = 0.25f;
+
+using Size = std::pair<int, int>;
+
+Size SizeOf(const Request& request) { return {request.target->width(), request.target->height()}; }
+
+gl::BufferHandle NewBuffer(const char* label) {
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  gl::SetLabel(GL_BUFFER, id, label);
+  return gl::BufferHandle(id);
+}
+
+void Fill(const gl::BufferHandle& buffer, const void* data, std::size_t bytes) {
+  glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+}
+
+class Renderer final : public SceneRenderer {
+ public:
+  Renderer(const scene::Scene& scene, std::optional<EnvironmentMap> environment, std::unique_ptr<PictureRenderer> resolver)
+      : scene_(&scene),
+        environment_(std::move(environment)),
+        resolver_(std::move(resolver)),
+        materials_(scene),
+        meshes_(scene),
+        frame_block_(NewBuffer("frame")),
+        draw_blocks_(NewBuffer("draws")),
+        lights_(NewBuffer("lights")),
+        exposure_(LightExposure(scene)) {}
+
+  Result<void> Render(const FrameInput& frame, std::span<const Request> requests) override;
+  Result<std::vector<GeometryDraw>> Draws(const FrameInput& frame) override;
+
+ private:
+  struct Buffers {
+    gl::Texture depth;
+    gl::Texture color;   ///< scene-linear, for blending; only made where it is needed
+  };
+
+  Result<FrameDraws> Prepare(const FrameInput& frame);
+  Result<std::vector<Request>> TakeOverColor(std::span<const Request> requests, std::map<Size, std::vector<Request>>& resolves);
+  Result<void> RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group, bool blends);
+  void BindFrame(const FrameInput& frame, Size size, bool wants_color);
+  Result<Buffers*> BuffersOf(Size size, bool wants_color);
+  GeometryPass& PassOf(std::vector<Output> outputs);
+
+  const scene::Scene* scene_;
+  EnvironmentLight environment_;
+  std::unique_ptr<PictureRenderer> resolver_;
+  MaterialStore materials_;
+  MeshStore meshes_;
+  gl::BufferHandle frame_block_;
+  gl::BufferHandle draw_blocks_;
+  gl::BufferHandle lights_;
+  float exposure_;
+  std::size_t light_count_ = 0;
+  std::map<Size, Buffers> buffers_;
+  std::list<GeometryPass> passes_;
+};
+
+// The frame's items on the device, with their blocks.
+Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
+  FrameDraws draws;
+  const std::uint32_t scene_features = light_count_ > 0 ? kHasLights : 0u;
+  const std::size_t stride = AlignBlock(sizeof(DrawBlock));
+  std::vector<std::byte> blocks(std::max<std::size_t>(frame.items.size(), 1) * stride);
+  for (std::size_t i = 0; i < frame.items.size(); ++i) {
+    const scene::DrawItem& item = frame.items[i];
+    PreparedDraw draw;
+    draw.material = static_cast<int>(item.material_id) - 1;
+    const scene::Material& material = materials_.Get(draw.material);
+    draw.is_blend = material.alpha_mode == scene::AlphaMode::kBlend;
+    draw.is_double_sided = material.double_sided;
+    draw.is_mirrored = IsMirrored(item.world_from_object);
+    draw.block = i;
+    const Result<const GpuPrimitive*> primitive = meshes_.Prepare(item, draw.is_blend);
+    if (!primitive) return std::unexpected(primitive.error());
+    draw.primitive = *primitive;
+    if (draw.primitive->index_count == 0) continue;
+    draw.features = materials_.Features(draw.material) | scene_features;
+    // Lines and points without normals are not lit.
+    draw.features |= draw.primitive->has_normals ? kHasNormals : kIsUnlit;
+    if (draw.primitive->has_tangents) draw.features |= kHasTangents;
+    if (draw.primitive->has_texcoords) draw.features |= kHasTexcoords;
+    draw.view_depth = -(frame.view.view_from_world * item.world_from_object * glm::vec4(draw.primitive->center, 1.0f)).z;
+
+    const DrawBlock block = MakeDrawBlock(item);
+    std::memcpy(blocks.data() + i * stride, &block, sizeof(block));
+    (draw.is_blend ? draws.blended : draws.opaque).push_back(draw);
+  }
+  std::ranges::stable_sort(draws.blended, std::greater<>(), &PreparedDraw::view_depth);
+  Fill(draw_blocks_, blocks.data(), blocks.size());
+  draws.block_buffer = draw_blocks_.id();
+  return draws;
+}
+
+Result<Renderer::Buffers*> Renderer::BuffersOf(Size size, bool wants_color) {
+  Buffers& buffers = buffers_[size];
+  if (!buffers.depth) {
+    Result<gl::Texture> depth = gl::CreateDepthStencil(size.first, size.second, "geometry pass: depth");
+    if (!depth) return std::unexpected(depth.error());
+    buffers.depth = std::move(*depth);
+  }
+  if (wants_color && !buffers.color) {
+    Result<gl::Texture> color = gl::Texture::Create(gl::PlainFormat(gl::Numeric::kFloat, 32, 4), size.first, size.second, 1,
+                                                    "geometry pass: blended colour");
+    if (!color) return std::unexpected(color.error());
+    buffers.color = std::move(*color);
+  }
+  return &buffers;
+}
+
+GeometryPass& Renderer::PassOf(std::vector<Output> outputs) {
+  const auto same = [&](const GeometryPass& pass) {
+    return std::ranges::equal(pass.outputs(), outputs, [](const Output& a, const Output& b) {
+      return a.location == b.location && a.storage == b.storage && a.is_blended == b.is_blended;
+    });
+  };
+  const auto found = std::ranges::find_if(passes_, same);
+  return found != passes_.end() ? *found : passes_.emplace_back(std::move(outputs));
+}
+
+// Blending needs scene-linear colour with associated alpha: colour, intensity and alpha of one size become one request for
+// such a target, and are resolved from it afterwards.
+Result<std::vector<Request>> Renderer::TakeOverColor(std::span<const Request> requests,
+                                                     std::map<Size, std::vector<Request>>& resolves) {
+  std::vector<Request> taken;
+  for (const Request& request : requests) {
+    if (!IsColorClass(request.attribute)) {
+      taken.push_back(request);
+      continue;
+    }
+    std::vector<Request>& resolve = resolves[SizeOf(request)];
+    if (resolve.empty()) {
+      const Result<Buffers*> buffers = BuffersOf(SizeOf(request), true);
+      if (!buffers) return std::unexpected(buffers.error());
+      taken.push_back({Attribute::kColor, &(*buffers)->color, image::Encoding::kSceneLinear});
+    }
+    resolve.push_back(request);
+  }
+  return taken;
+}
+
+void Renderer::BindFrame(const FrameInput& frame, Size size, bool wants_color) {
+  FrameBlock block = MakeFrameBlock(frame, FindKeyLight(*scene_, *frame.pose), size.first, size.second);
+  if (wants_color) {
+    environment_.Prepare();
+    environment_.Bind(kEnvironmentUnit);
+    const bool fills = environment_.is_builtin() && light_count_ > 0;
+    block.irradiance = environment_.irradiance();
+    block.environment = glm::vec4(fills ? kStudioFill : 1.0f, static_cast<float>(environment_.last_level()),
+                                  static_cast<float>(light_count_), 0.0f);
+  }
+  Fill(frame_block_, &block, sizeof(block));
+  glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block_.id());
+  if (light_count_ > 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLightBinding, lights_.id());
+}
+
+Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group,
+                                   bool blends) {
+  const Size size = SizeOf(group.front());
+  const Result<Buffers*> buffers = BuffersOf(size, false);
+  if (!buffers) return std::unexpected(buffers.error());
+  std::vector<const gl::Texture*> targets;
+  std::vector<Output> outputs;
+  bool wants_color = false;
+  for (const Request& request : group) {
+    const bool is_color = IsColorClass(request.attribute);
+    wants_color |= is_color;
+    outputs.push_back({.location = static_cast<int>(outputs.size()),
+                       .storage = {request.attribute, request.target->format(), request.encoding},
+                       .is_blended = is_color && blends});
+    targets.push_back(request.target);
+  }
+  const Result<gl::Framebuffer> framebuffer = gl::Framebuffer::Create(targets, &(*buffers)->depth, "geometry pass");
+  if (!framebuffer) return std::unexpected(framebuffer.error());
+  const std::array<float, 4> background = {frame.background.r, frame.background.g, frame.background.b, frame.background.a};
+  for (const Output& output : outputs) {
+    const std::array<float, 4> value = StoredBackground(output.storage, background);
+    glClearNamedFramebufferfv(framebuffer->id(), GL_COLOR, output.location, value.data());
+  }
+  glClearNamedFramebufferfi(framebuffer->id(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
+  framebuffer->Bind();
+  BindFrame(frame, size, wants_color);
+  Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_);
+  gl::ResetState();
+  return result;
+}
+
+Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> requests) {
+  gl::ResetState();
+  SetMissingAttributes();
+  std::vector<Request> drawn;
+  for (const Request& request : requests) {
+    if (request.attribute != Attribute::kVideo) {
+      drawn.push_back(request);
+      continue;
+    }
+    const std::array<float, 4> empty = StoredBackground({request.attribute, request.target->format(), request.encoding}, {});
+    glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
+  }
+  if (drawn.empty()) return {};
+
+  const std::vector<LightRecord> lights = BuildLights(*scene_, *frame.pose, exposure_);
+  light_count_ = lights.size();
+  if (light_count_ > 0) Fill(lights_, lights.data(), lights.size() * sizeof(LightRecord));
+  const Result<FrameDraws> draws = Prepare(frame);
+  if (!draws) return std::unexpected(draws.error());
+
+  const bool blends = !draws->blended.empty();
+  std::map<Size, std::vector<Request>> resolves;
+  if (blends) {
+    Result<std::vector<Request>> taken = TakeOverColor(drawn, resolves);
+    if (!taken) return std::unexpected(taken.error());
+    drawn = std::move(*taken);
+  }
+  for (const std::vector<Request>& group : GroupRequests(drawn)) {
+    if (Result<void> result = RenderGroup(frame, *draws, group, blends); !result) return result;
+  }
+  for (const auto& [size, resolve] : resolves) {
+    Result<void> result = resolver_->Render(buffers_.at(size).color, image::Encoding::kSceneLinear, resolve);
+    if (!result) return result;
+  }
+  return {};
+}
+
+Result<std::vector<GeometryDraw>> Renderer::Draws(const FrameInput& frame) {
+  SetMissingAttributes();
+  std::vector<GeometryDraw> draws;
+  for (const scene::DrawItem& item : frame.items) {
+    const Result<const GpuPrimitive*> primitive = meshes_.Prepare(item, false);
+    if (!primitive) return std::unexpected(primitive.error());
+    if ((*primitive)->index_count == 0) continue;
+    draws.push_back({.world_from_object = item.world_from_object,
+                     .material = static_cast<int>(item.material_id) - 1,
+                     .vertex_array = (*primitive)->effect_vertex_array.id(),
+                     .mode = (*primitive)->mode,
+                     .index_count = (*primitive)->index_count});
+  }
+  return draws;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SceneRenderer>> SceneRenderer::Create(const scene::Scene& scene, const image::Image* environment) {
+  std::optional<EnvironmentMap> map;
+  if (environment != nullptr) {
+    Result<EnvironmentMap> read = EnvironmentFromImage(*environment);
+    if (!read) return std::unexpected(read.error());
+    map = std::move(*read);
+  }
+  Result<std::unique_ptr<PictureRenderer>> resolver = PictureRenderer::Create();
+  if (!resolver) return std::unexpected(resolver.error());
+  return std::make_unique<Renderer>(scene, std::move(map), std::move(*resolver));
+}
+
+}  // namespace burin::gbuffer

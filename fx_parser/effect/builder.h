@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Turns a checked module into the Effect that the host runs.
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fx_parser/effect/effect.h"
+#include "fx_parser/glsl/program.h"
+#include "fx_parser/semantics/checker.h"
+
+namespace burin::fx {
+
+class EffectBuilder {
+ public:
+  /// `attributes`: the names that GBA<attribute> may use besides those of the file's own techniques.
+  EffectBuilder(Checker& checker, const ast::Module& module, std::vector<std::string> attributes, Effect& effect);
+
+  /// Without `write_programs` everything but the GLSL is built and checked: for modules whose functions have errors.
+  void Build(bool write_programs);
+
+ private:
+  struct Shader {
+    bool present = false;           ///< false: NULL
+    EntryPoint entry;
+    std::string unsupported;        ///< why this host cannot run it
+    bool failed = false;            ///< reported
+  };
+  struct PassShaders {
+    std::optional<Shader> vertex;
+    std::optional<Shader> pixel;
+    bool fixed_vertex = false;
+    bool fixed_pixel = false;
+  };
+
+  // parameters
+  void BuildParameters();
+  std::vector<EffectAnnotation> BuildAnnotations(std::vector<ast::Annotation>& annotations);
+  // textures
+  void BuildTextures();
+  void BuildTexture(ast::Variable& variable);
+  void CheckPassTargets();
+  // samplers
+  void BuildSamplers();
+  void BuildSampler(const ast::Variable& variable, int element, ast::Expression* initializer);
+  void ResolveSamplerState(ast::StateAssignment& assignment, Sampler& sampler);
+  void ResolveSamplerTexture(ast::StateAssignment& assignment, Sampler& sampler);
+  void ResolveDimensions();
+  // states
+  std::optional<StateValue> ResolveState(ast::Expression& value, const std::string& state, int kind,
+                                         std::span<const struct Enumerant> values, ast::StateAssignment::Form form);
+  std::optional<int> EnumerantValue(const ast::Expression& value, std::span<const struct Enumerant> values);
+  // shaders
+  Shader ResolveShader(ast::Expression& value, bool vertex, int depth = 0);
+  Shader ResolveCompile(ast::Compile& compile, const Range& range, bool vertex);
+  Shader ResolveShaderElement(ast::Index& index, const Range& range, bool vertex, int depth);
+  const ast::Function* FindEntry(const ast::Compile& compile);
+  // techniques
+  void BuildTechniques();
+  void BuildPass(ast::Pass& source, Technique& technique);
+  void BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders, std::vector<std::string>& unsupported);
+  void WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported);
+  void FindTargets(Technique& technique, Pass& pass);
+  void CheckDataFlow(const Technique& technique, const Pass& pass, int index);
+  [[nodiscard]] Value DefaultOf(const ast::Variable& variable) const;
+
+  Checker& checker_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> attributes_;
+  std::set<std::string> custom_attributes_;
+  Effect& effect_;
+  bool write_programs_ = true;
+  std::set<const ast::Variable*> written_;
+  std::map<const ast::Variable*, std::size_t> parameters_;
+  std::map<const ast::Variable*, std::size_t> textures_;
+  std::map<SamplerBinding, std::size_t> samplers_;
+};
+
+}  // namespace burin::fx

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/effect/parameter_override.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/effect/hand_built_effect.h"
+
+namespace burin::effect {
+namespace {
+
+EffectBuilder Effect() {
+  EffectBuilder builder;
+  builder.Parameter("Sigma", fx::ScalarType(fx::Scalar::kFloat));
+  builder.Parameter("Color", fx::VectorType(fx::Scalar::kFloat, 3));
+  builder.Parameter("Count", fx::ScalarType(fx::Scalar::kInt));
+  builder.Parameter("On", fx::ScalarType(fx::Scalar::kBool));
+  builder.Parameter("Matrix", fx::MatrixType(fx::Scalar::kFloat, 2, 2));
+  fx::Type array = fx::VectorType(fx::Scalar::kFloat, 2);
+  array.array = {2};
+  builder.Parameter("Points", array);
+  fx::Type text;
+  text.kind = fx::TypeKind::kString;
+  builder.Parameter("Title", text);
+  fx::Type structure;
+  structure.kind = fx::TypeKind::kStruct;
+  builder.Parameter("Light", structure);
+  builder.Texture("Paper", fx::FileRole{});
+  builder.Texture("GBAcolor_A8R8G8B8", fx::AttributeRole{"color", false});
+  return builder;
+}
+
+std::vector<double> Numbers(const std::string& name, const std::string& text) {
+  const EffectBuilder builder = Effect();
+  const auto overrides = ParseOverrides(builder.effect, {{name, text}});
+  EXPECT_TRUE(overrides.has_value()) << overrides.error().message;
+  return overrides ? overrides->parameters.begin()->second.numbers : std::vector<double>{};
+}
+
+std::string ErrorOf(const std::string& name, const std::string& text) {
+  const auto overrides = ParseOverrides(Effect().effect, {{name, text}});
+  if (overrides) return "(none)";
+  EXPECT_EQ(overrides.error().kind, ErrorKind::kUsage);
+  return overrides.error().message;
+}
+
+TEST(ParseOverrides, TakesNumbersVectorsMatricesAndArrays) {
+  EXPECT_EQ(Numbers("Sigma", "1.5e-1"), (std::vector<double>{0.15}));
+  EXPECT_EQ(Numbers("Sigma", " +2 "), (std::vector<double>{2}));
+  EXPECT_EQ(Numbers("Color", "1,0.5,0"), (std::vector<double>{1, 0.5, 0}));
+  EXPECT_EQ(Numbers("Color", "1, 0.5, -0"), (std::vector<double>{1, 0.5, 0}));
+  EXPECT_EQ(Numbers("Color", "1 .5 0"), (std::vector<double>{1, 0.5, 0}));
+  EXPECT_EQ(Numbers("Matrix", "1,2,3,4"), (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(Numbers("Points", "1,2,3,4"), (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(Numbers("Count", "-3"), (std::vector<double>{-3}));
+}
+
+TEST(ParseOverrides, TakesBoolsInWords) {
+  for (const char* text : {"true", "1", "YES", "on"}) EXPECT_EQ(Numbers("On", text), (std::vector<double>{1})) << text;
+  for (const char* text : {"false", "0", "No", "off"}) EXPECT_EQ(Numbers("On", text), (std::vector<double>{0})) << text;
+}
+
+TEST(ParseOverrides, TakesTextsAndFiles) {
+  const EffectBuilder builder = Effect();
+  const auto overrides = ParseOverrides(builder.effect, {{"Title", "a, b"}, {"Paper", "one.png"}, {"Paper", "two.png"}});
+  ASSERT_TRUE(overrides.has_value());
+  EXPECT_EQ(overrides->parameters.at(6).strings, (std::vector<std::string>{"a, b"}));
+  EXPECT_EQ(overrides->textures.at(0), "two.png");
+}
+
+TEST(ParseOverrides, RefusesWrongCounts) {
+  EXPECT_EQ(ErrorOf("Color", "1,2"), "parameter 'Color' of test.fx (float3): expected 3 numbers, found 2");
+  EXPECT_EQ(ErrorOf("Sigma", "1,2"), "parameter 'Sigma' of test.fx (float): expected 1 number, found 2");
+  EXPECT_EQ(ErrorOf("Sigma", ""), "parameter 'Sigma' of test.fx (float): expected 1 number, found 0");
+  EXPECT_EQ(ErrorOf("Color", "1,,2"), "parameter 'Color' of test.fx (float3): '' is not a number");
+}
+
+TEST(ParseOverrides, RefusesWrongTypes) {
+  EXPECT_EQ(ErrorOf("Sigma", "soft"), "parameter 'Sigma' of test.fx (float): 'soft' is not a number");
+  EXPECT_EQ(ErrorOf("Sigma", "1.5x"), "parameter 'Sigma' of test.fx (float): '1.5x' is not a number");
+  EXPECT_EQ(ErrorOf("Sigma", "nan"), "parameter 'Sigma' of test.fx (float): 'nan' is not a number");
+  EXPECT_EQ(ErrorOf("Sigma", "1e300"), "parameter 'Sigma' of test.fx (float): '1e300' is out of range");
+  EXPECT_EQ(ErrorOf("Count", "1.5"), "parameter 'Count' of test.fx (int): '1.5' is not a whole number");
+  EXPECT_EQ(ErrorOf("Count", "3000000000"), "parameter 'Count' of test.fx (int): '3000000000' is out of range");
+  EXPECT_EQ(ErrorOf("On", "2"), "parameter 'On' of test.fx (bool): '2' is neither true nor false");
+  EXPECT_NE(ErrorOf("Light", "1").find("values of this type cannot be set"), std::string::npos);
+}
+
+TEST(ParseOverrides, RefusesUnknownNamesAndSuggestsNearOnes) {
+  EXPECT_EQ(ErrorOf("Sigmas", "1"), "test.fx has no parameter 'Sigmas'; did you mean 'Sigma'?");
+  EXPECT_EQ(ErrorOf("Temperature", "1"),
+            "test.fx has no parameter 'Temperature'; it has Sigma, Color, Count, On, Matrix, Points, Title, Light, Paper");
+  EXPECT_EQ(ErrorOf("GBAcolor_A8R8G8B8", "x.png"), "texture 'GBAcolor_A8R8G8B8' of test.fx is rendered and takes no file");
+  EXPECT_EQ(ErrorOf("Paper", ""), "texture 'Paper' of test.fx: no file named");
+}
+
+}  // namespace
+}  // namespace burin::effect
