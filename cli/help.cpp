@@ -103,8 +103,8 @@ std::string HelpText(const CommandSpec& command) {
   }
   if (command.bit == kRender) {
     text +=
-        "\nExit status: 0 done; 1 failed; 2 usage; 3 the effect, scene, image or video has errors;\n"
-        "4 no usable GL device; 128+n on signal n.\n";
+        "\nExit status: 0 done; 1 failed; 2 usage; 3 the effect, scene, image or video has\n"
+        "errors; 4 no usable GL device; 128+n on signal n.\n";
   }
   return text;
 }

@@ -62,15 +62,15 @@ Result<void> Apply(const Bound& bound, Settings& settings) {
   return {};
 }
 
-/// The option of a message of CLI11's such as "--size: 1 required TEXT missing".
+/// The option of a message of CLI11's such as "--size: 1 required TEXT missing"; null when it names none.
 const OptionSpec* OptionIn(const CommandSpec& command, const std::string& message) {
   for (const OptionSpec& spec : OptionTable()) {
     if ((spec.commands & command.bit) == 0) continue;
-    const std::string name = fmt::format("--{}", spec.name);
-    const std::size_t at = message.find(name);
-    if (at == std::string::npos) continue;
-    const char next = at + name.size() < message.size() ? message[at + name.size()] : ' ';
-    if (next != '-' && std::isalnum(static_cast<unsigned char>(next)) == 0) return &spec;
+    // "--NAME: ...", but "NAME was given a disallowed flag override".
+    const std::size_t at = message.starts_with("--") ? 2 : 0;
+    if (message.compare(at, spec.name.size(), spec.name) != 0) continue;
+    const char next = at + spec.name.size() < message.size() ? message[at + spec.name.size()] : ' ';
+    if (next == ':' || next == ' ') return &spec;
   }
   return nullptr;
 }

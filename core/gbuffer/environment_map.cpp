@@ -54,8 +54,8 @@ Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image) {
 glm::vec3 StudioKeyDirection() { return glm::normalize(glm::vec3(-0.45f, 0.75f, 0.6f)); }
 
 EnvironmentMap StudioEnvironment() {
-  constexpr int kWidth = 256;
-  constexpr int kHeight = 128;
+  constexpr int kWidth = 128;
+  constexpr int kHeight = 64;
   const glm::vec3 key = StudioKeyDirection();
   const glm::vec3 rim = glm::normalize(glm::vec3(0.7f, 0.35f, -0.65f));
   EnvironmentMap map{.width = kWidth, .height = kHeight, .pixels = {}};
@@ -67,9 +67,9 @@ EnvironmentMap StudioEnvironment() {
       const glm::vec3 direction(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
                                 -std::cos(latitude) * std::cos(longitude));
       // Walls grow lighter from the floor to the ceiling; the lamps are round with soft rims.
-      float radiance = 0.18f + 0.34f * SmoothStep(-0.6f, 1.0f, direction.y);
-      radiance += 6.0f * SmoothStep(0.80f, 0.97f, glm::dot(direction, key));
-      radiance += 2.2f * SmoothStep(0.86f, 0.98f, glm::dot(direction, rim));
+      float radiance = 0.13f + 0.25f * SmoothStep(-0.6f, 1.0f, direction.y);
+      radiance += 2.8f * SmoothStep(0.78f, 0.95f, glm::dot(direction, key));
+      radiance += 1.4f * SmoothStep(0.86f, 0.98f, glm::dot(direction, rim));
       map.pixels.emplace_back(radiance);
     }
   }

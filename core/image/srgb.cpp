@@ -19,7 +19,7 @@ constexpr float kLinearBreak = 0.0031308F;
 constexpr float kEncodedBreak = 0.04045F;
 constexpr float kSlope = 12.92F;
 constexpr float kScale = 1.055F;
-constexpr float kOffset = 0.055F;
+constexpr float kOffset = kScale - 1.0F;   // 0.055, rounded so that 1 stays 1
 constexpr float kGamma = 2.4F;
 
 // x^power for normal x in [2^-9, FLT_MAX]; anything else gives some value, never a fault. p * log2(x) is carried as

@@ -21,6 +21,8 @@ constexpr std::uint64_t kMaxFileBytes = 0xffff'ffffu;           // what a GLB he
 constexpr std::uint64_t kMaxJsonBytes = 0x7fff'ffffu;
 constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
 
+constexpr std::size_t kMaxWarnings = 30;
+
 // What the readers here know. Others are ignored with a warning, or refused when required.
 constexpr std::string_view kKnownExtensions[] = {
     "KHR_lights_punctual",  "KHR_materials_emissive_strength", "KHR_materials_ior",
@@ -177,7 +179,9 @@ Result<std::vector<std::byte>> GltfDocument::ImageBytes(int image) const {
 }
 
 void GltfDocument::Warn(std::string message) {
-  if (std::find(warnings_.begin(), warnings_.end(), message) == warnings_.end()) warnings_.push_back(std::move(message));
+  if (warnings_.size() > kMaxWarnings) return;
+  if (std::find(warnings_.begin(), warnings_.end(), message) != warnings_.end()) return;
+  warnings_.push_back(warnings_.size() == kMaxWarnings ? "more warnings like these are left out" : std::move(message));
 }
 
 Result<void> GltfDocument::Spend(std::uint64_t bytes) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace burin::scene {
@@ -98,11 +97,13 @@ Result<void> ReadRoots(GltfDocument& document, Scene& scene) {
   const tinygltf::Scene& source = model.scenes[static_cast<std::size_t>(shown)];
   if (source.nodes.empty()) return Bad(fmt::format("scenes[{}]: has no nodes: nothing to draw", shown));
   if (!source.name.empty()) scene.name = source.name;
+  std::vector<bool> listed(scene.nodes.size(), false);
   for (const int node : source.nodes) {
     if (scene.nodes[static_cast<std::size_t>(node)].parent != kNone) {
       document.Warn(fmt::format("scenes[{}]: nodes[{}] is not a root node", shown, node));
     }
-    if (std::find(scene.roots.begin(), scene.roots.end(), node) == scene.roots.end()) scene.roots.push_back(node);
+    if (!listed[static_cast<std::size_t>(node)]) scene.roots.push_back(node);
+    listed[static_cast<std::size_t>(node)] = true;
   }
   return {};
 }

@@ -2,9 +2,9 @@
 // Outlines of a scene from its geometry: where objects, depth or normals change abruptly.
 //
 // After Saito and Takahashi, "Comprehensible rendering of 3-D shapes" (1990), section 3: silhouettes from discontinuities of
-// depth, creases from those of the normal, and the borders between objects from their ids. Depth is compared by its second
-// difference over the depth itself, so that slanting planes draw no lines near or far. Textures and shadows draw none
-// either, which the picture's own edges (sobel.fx) would.
+// depth, creases from those of the normal, and the borders between objects from their ids. Of the depth it takes the second
+// difference of the reciprocal, which is even over every plane in perspective, so that slanting planes draw no lines near or
+// far. Textures and shadows draw none either, which the picture's own edges (sobel.fx) would.
 //
 // Parameters: DepthThreshold, relative; CreaseAngle in degrees; Thickness in pixels; ColorAmount, from 0 (paper) to 1 (the
 // shaded scene); InkColor and PaperColor.
@@ -89,16 +89,17 @@ float EdgeAlong(float2 uv, float2 across)
     float border = idBefore != idAfter;
 
     float centre = tex2D(Depth, uv).r;
-    float bend = abs(tex2D(Depth, uv - across).r + tex2D(Depth, uv + across).r - 2.0 * centre);
-    float silhouette = bend > DepthThreshold * max(abs(centre), 1e-6);
+    float bend = abs(centre / tex2D(Depth, uv - across).r + centre / tex2D(Depth, uv + across).r - 2.0);
+    float silhouette = bend > DepthThreshold;
 
     float3 normalBefore = tex2D(Normal, uv - across).xyz;
     float3 normalAfter = tex2D(Normal, uv + across).xyz;
     float crease = dot(normalBefore, normalAfter) < cos(radians(CreaseAngle));
 
-    // The background has no normal; its border is the objects' affair.
-    float drawn = idBefore > 0.0 && idAfter > 0.0;
-    return max(border, drawn * max(silhouette, crease));
+    // The background has no normal; its border is the objects' affair. At the picture's own border a neighbour is missing.
+    bool drawn = idBefore > 0.0 && idAfter > 0.0;
+    bool inside = all(abs(uv - 0.5) + abs(across) < 0.5);
+    return max(border, drawn && inside ? max(silhouette, crease) : 0.0);
 }
 
 float4 Outline(float2 uv : TEXCOORD0) : COLOR

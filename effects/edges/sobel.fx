@@ -5,7 +5,7 @@
 // shown as white. Technique Color (the default) takes red, green and blue each for itself, as ffmpeg's filter of the same
 // name does on RGB; technique Luma takes the BT.709 luma and draws grey edges. Outside the picture its border repeats.
 //
-// Parameters: Strength multiplies the gradient, Bias is added to it.
+// Parameters: Strength multiplies the gradient.
 
 float Strength <
     string UIName = "Strength";
@@ -13,13 +13,6 @@ float Strength <
     float UIMax = 8.0;
     float UIStep = 0.05;
 > = 1.0;
-
-float Bias <
-    string UIName = "Bias";
-    float UIMin = -1.0;
-    float UIMax = 1.0;
-    float UIStep = 0.01;
-> = 0.0;
 
 float4 TexelSize;
 
@@ -36,14 +29,16 @@ sampler Picture = sampler_state
 
 float3 Gradient(float2 uv)
 {
-    float3 upperLeft  = tex2D(Picture, uv - TexelSize.xy).rgb;
-    float3 upper      = tex2D(Picture, uv - TexelSize.wy).rgb;
-    float3 upperRight = tex2D(Picture, uv + float2(TexelSize.x, -TexelSize.y)).rgb;
-    float3 left       = tex2D(Picture, uv - TexelSize.xw).rgb;
-    float3 right      = tex2D(Picture, uv + TexelSize.xw).rgb;
-    float3 lowerLeft  = tex2D(Picture, uv + float2(-TexelSize.x, TexelSize.y)).rgb;
-    float3 lower      = tex2D(Picture, uv + TexelSize.wy).rgb;
-    float3 lowerRight = tex2D(Picture, uv + TexelSize.xy).rgb;
+    float2 before = uv - TexelSize.xy;
+    float2 after = uv + TexelSize.xy;
+    float3 upperLeft  = tex2D(Picture, before).rgb;
+    float3 upper      = tex2D(Picture, float2(uv.x, before.y)).rgb;
+    float3 upperRight = tex2D(Picture, float2(after.x, before.y)).rgb;
+    float3 left       = tex2D(Picture, float2(before.x, uv.y)).rgb;
+    float3 right      = tex2D(Picture, float2(after.x, uv.y)).rgb;
+    float3 lowerLeft  = tex2D(Picture, float2(before.x, after.y)).rgb;
+    float3 lower      = tex2D(Picture, float2(uv.x, after.y)).rgb;
+    float3 lowerRight = tex2D(Picture, after).rgb;
 
     float3 diagonal = lowerRight - upperLeft;
     float3 counter  = upperRight - lowerLeft;
@@ -52,37 +47,32 @@ float3 Gradient(float2 uv)
     return sqrt(x * x + y * y);
 }
 
-float Luma(float3 color)
+float LumaAt(float2 uv)
 {
-    return dot(color, float3(0.2126, 0.7152, 0.0722));
+    return dot(tex2D(Picture, uv).rgb, float3(0.2126, 0.7152, 0.0722));
 }
 
 float3 LumaGradient(float2 uv)
 {
-    float upperLeft  = Luma(tex2D(Picture, uv - TexelSize.xy).rgb);
-    float upper      = Luma(tex2D(Picture, uv - TexelSize.wy).rgb);
-    float upperRight = Luma(tex2D(Picture, uv + float2(TexelSize.x, -TexelSize.y)).rgb);
-    float left       = Luma(tex2D(Picture, uv - TexelSize.xw).rgb);
-    float right      = Luma(tex2D(Picture, uv + TexelSize.xw).rgb);
-    float lowerLeft  = Luma(tex2D(Picture, uv + float2(-TexelSize.x, TexelSize.y)).rgb);
-    float lower      = Luma(tex2D(Picture, uv + TexelSize.wy).rgb);
-    float lowerRight = Luma(tex2D(Picture, uv + TexelSize.xy).rgb);
-
-    float diagonal = lowerRight - upperLeft;
-    float counter  = upperRight - lowerLeft;
-    float x = diagonal + counter + 2.0 * (right - left);
-    float y = diagonal - counter + 2.0 * (lower - upper);
+    float2 before = uv - TexelSize.xy;
+    float2 after = uv + TexelSize.xy;
+    float diagonal = LumaAt(after) - LumaAt(before);
+    float counter  = LumaAt(float2(after.x, before.y)) - LumaAt(float2(before.x, after.y));
+    float across   = LumaAt(float2(after.x, uv.y)) - LumaAt(float2(before.x, uv.y));
+    float down     = LumaAt(float2(uv.x, after.y)) - LumaAt(float2(uv.x, before.y));
+    float x = diagonal + counter + 2.0 * across;
+    float y = diagonal - counter + 2.0 * down;
     return sqrt(x * x + y * y);
 }
 
 float4 ColorEdges(float2 uv : TEXCOORD0) : COLOR
 {
-    return float4(Gradient(uv) * Strength + Bias, 1.0);
+    return float4(Gradient(uv) * Strength, 1.0);
 }
 
 float4 LumaEdges(float2 uv : TEXCOORD0) : COLOR
 {
-    return float4(LumaGradient(uv) * Strength + Bias, 1.0);
+    return float4(LumaGradient(uv) * Strength, 1.0);
 }
 
 technique Color

@@ -2,8 +2,8 @@
 // A print of the picture: more contrast, dilated outlines, and tones by a screen of lines or dots.
 //
 // Figure 6 of the paper on the G2-buffer. Pass 0 stretches the contrast of the intensity, pass 1 marks its Roberts cross
-// edges, pass 2 broadens them and screens the tones. Each screen's threshold is spread evenly over 0 to 1, so that the ink's
-// share of the paper is the tone's. Technique Lines is the default, technique Dots has diamonds.
+// edges, pass 2 broadens them and screens the tones so that on average the paper keeps each tone. Technique Lines is the
+// default, technique Dots has diamonds.
 //
 // Parameters: Period and Angle of the screen; Contrast about the middle and Brightness; EdgeThreshold (1 or more: no
 // outlines); InkColor and PaperColor.
@@ -126,12 +126,24 @@ float2 Triangle(float2 place)
     return abs(2.0 * frac(place) - 1.0);
 }
 
-// Paper's share of a pixel where the screen's threshold is `threshold` and changes by `slope` from pixel to pixel.
-float Screen(float tone, float threshold, float slope)
+// A pixel covers a stretch of the screen, `width` of its measure, so that paper's share of it is a ramp about the threshold.
+float Ramp(float threshold, float place, float width)
 {
-    // Past both ends by half a pixel's change, so that black and white stay pure.
-    float stretched = lerp(-0.5 * slope, 1.0 + 0.5 * slope, tone);
-    return saturate((stretched - threshold) / slope + 0.5);
+    return saturate((threshold - place) / width + 0.5);
+}
+
+// The thresholds below make the ramp's mean over a period the tone: near black and white, where part of the ramp falls off
+// the end of the measure, they differ from what a screen without ramps would need.
+float LineThreshold(float tone, float width)
+{
+    return tone < 0.5 * width ? sqrt(2.0 * width * tone) - 0.5 * width : tone;
+}
+
+// Of a diamond, whose area is twice the square of its radius.
+float DotThreshold(float tone, float width)
+{
+    return tone < 0.66667 * width * width ? pow(1.5 * width * tone, 0.33333) - 0.5 * width
+                                          : sqrt(0.5 * max(tone - width * width / 6.0, 0.0));
 }
 
 float4 Print(float2 uv, float paper)
@@ -141,18 +153,20 @@ float4 Print(float2 uv, float paper)
 
 float4 ScreenLines(float2 uv : TEXCOORD0) : COLOR
 {
-    float threshold = Triangle(ScreenPlace(uv)).y;
-    return Print(uv, Screen(tex2D(Tone, uv).r, threshold, 2.0 / Period));
+    float tone = tex2D(Tone, uv).r;
+    float width = 2.0 / Period;
+    float threshold = tone < 0.5 ? LineThreshold(tone, width) : 1.0 - LineThreshold(1.0 - tone, width);
+    return Print(uv, Ramp(threshold, Triangle(ScreenPlace(uv)).y, width));
 }
 
 float4 ScreenDots(float2 uv : TEXCOORD0) : COLOR
 {
-    // The distance from the dot's middle, measured as diamonds, and its cumulative distribution over the period.
+    // Diamonds of paper up to the middle tone, of ink beyond it; 0 in the middle of the one, 1 in that of the other.
     float2 t = Triangle(ScreenPlace(uv));
-    float d = 0.5 * (t.x + t.y);
-    float threshold = d < 0.5 ? 2.0 * d * d : 1.0 - 2.0 * (1.0 - d) * (1.0 - d);
-    float slope = 4.0 * min(d, 1.0 - d) * 1.41421 / Period;
-    return Print(uv, Screen(tex2D(Tone, uv).r, threshold, max(slope, 0.01)));
+    float tone = tex2D(Tone, uv).r;
+    float width = 1.41421 / Period;
+    float threshold = tone < 0.5 ? DotThreshold(tone, width) : 1.0 - DotThreshold(1.0 - tone, width);
+    return Print(uv, Ramp(threshold, 0.5 * (t.x + t.y), width));
 }
 
 technique Lines

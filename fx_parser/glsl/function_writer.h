@@ -62,6 +62,7 @@ class FunctionWriter {
   void Local(const ast::Variable& variable);
   std::string Condition(const ast::Expression& e);
   bool Flatten(const ast::If& branch);
+  [[nodiscard]] bool IsUniform(const ast::Expression& e) const;
 
   // expressions
   std::string Emit(const ast::Expression& e, const ast::BoolLiteral& n);

@@ -38,6 +38,8 @@ class StageWriter {
 
   [[nodiscard]] Stage stage() const { return stage_; }
   [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  [[nodiscard]] const Checker& checker() const { return checker_; }
+  [[nodiscard]] bool is_written(const ast::Variable& variable) const { return written_.contains(&variable); }
   [[nodiscard]] bool failed() const { return failed_; }
   void Fail() { failed_ = true; }
   /// One report for each thing and place, however many instances meet it.

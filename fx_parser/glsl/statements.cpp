@@ -2,9 +2,22 @@
 #include "fx_parser/glsl/function_writer.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
-#include "fx_parser/semantics/flow.h"
 
 namespace burin::fx {
+namespace {
+
+/// Without the parentheses around the whole.
+std::string Bare(const std::string& text) {
+  if (text.size() < 2 || text.front() != '(') return text;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')' && --depth == 0) return i + 1 == text.size() ? text.substr(1, i - 1) : text;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string FunctionWriter::Function(const ast::Function& function, const std::string& name) {
   function_ = &function;
@@ -53,7 +66,7 @@ void FunctionWriter::Body(const ast::StatementPtr& statement) {
   --indent_;
 }
 
-std::string FunctionWriter::Condition(const ast::Expression& e) { return ExpressionAs(e, ScalarType(Scalar::kBool)); }
+std::string FunctionWriter::Condition(const ast::Expression& e) { return Bare(ExpressionAs(e, ScalarType(Scalar::kBool))); }
 
 void FunctionWriter::Write(const ast::Block& block) {
   for (const auto& statement : block.statements) Statement(*statement);
@@ -80,7 +93,7 @@ void FunctionWriter::Write(const ast::DeclarationStatement& declaration) {
 }
 
 void FunctionWriter::Write(const ast::ExpressionStatement& statement) {
-  if (statement.expression != nullptr) Line(Expression(*statement.expression) + ";");
+  if (statement.expression != nullptr) Line(Bare(Expression(*statement.expression)) + ";");
 }
 
 void FunctionWriter::Write(const ast::If& branch) {
@@ -99,7 +112,7 @@ void FunctionWriter::Write(const ast::For& loop) {
   std::string step;
   if (loop.init != nullptr) Statement(*loop.init);
   const std::string condition = loop.condition != nullptr ? Condition(*loop.condition) : "";
-  if (loop.step != nullptr) step = Expression(*loop.step);
+  if (loop.step != nullptr) step = Bare(Expression(*loop.step));
   Line("for (; " + condition + "; " + step + ") {");
   Body(loop.body);
   Line("}");
@@ -153,7 +166,5 @@ void FunctionWriter::Write(const ast::Discard&) {
   }
   Line("discard;");
 }
-
-bool FunctionWriter::Flatten(const ast::If&) { return false; }
 
 }  // namespace burin::fx

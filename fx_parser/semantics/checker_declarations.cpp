@@ -140,9 +140,9 @@ void Checker::CheckStruct(ast::Struct& structure) {
   if (structure.name.empty()) return;
   Symbol symbol;
   symbol.structure = &structure;
-  const Symbol* existing = nullptr;
+  Symbol existing;
   if (!scopes_.Declare(structure.name, symbol, &existing)) {
-    ReportRedefinition(structure.name, structure.range, existing->structure != nullptr ? &existing->structure->range : nullptr);
+    ReportRedefinition(structure.name, structure.range, existing.structure != nullptr ? &existing.structure->range : nullptr);
   }
 }
 
@@ -150,9 +150,9 @@ void Checker::CheckTypedef(ast::Typedef& alias) {
   Symbol symbol;
   symbol.alias = &alias;
   symbol.type = ResolveArrayType(alias.type_name, alias.array_sizes, nullptr);
-  const Symbol* existing = nullptr;
-  if (!scopes_.Declare(alias.name, symbol, &existing) && !(existing->alias != nullptr && SameType(existing->type, symbol.type))) {
-    ReportRedefinition(alias.name, alias.range, existing->alias != nullptr ? &existing->alias->range : nullptr);
+  Symbol existing;
+  if (!scopes_.Declare(alias.name, symbol, &existing) && !(existing.alias != nullptr && SameType(existing.type, symbol.type))) {
+    ReportRedefinition(alias.name, alias.range, existing.alias != nullptr ? &existing.alias->range : nullptr);
   }
 }
 
@@ -160,9 +160,9 @@ void Checker::DeclareVariable(ast::Variable& variable) {
   if (variable.name.empty()) return;
   Symbol symbol;
   symbol.variable = &variable;
-  const Symbol* existing = nullptr;
+  Symbol existing;
   if (!scopes_.Declare(variable.name, symbol, &existing)) {
-    ReportRedefinition(variable.name, variable.range, existing->variable != nullptr ? &existing->variable->range : nullptr);
+    ReportRedefinition(variable.name, variable.range, existing.variable != nullptr ? &existing.variable->range : nullptr);
   }
 }
 

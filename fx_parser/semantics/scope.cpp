@@ -8,18 +8,18 @@ void ScopeStack::PopLeaking() {
   scopes_.pop_back();
   for (auto& [name, symbol] : inner) {
     symbol.leaked = true;
-    scopes_.back().emplace(name, std::move(symbol));
+    const auto [at, inserted] = scopes_.back().try_emplace(name, symbol);
+    if (!inserted && at->second.leaked) at->second = std::move(symbol);
   }
 }
 
-bool ScopeStack::Declare(const std::string& name, Symbol symbol, const Symbol** existing) {
+bool ScopeStack::Declare(const std::string& name, const Symbol& symbol, Symbol* existing) {
   const auto [at, inserted] = scopes_.back().try_emplace(name, symbol);
   if (inserted) return true;
-  if (at->second.leaked) {
-    at->second = std::move(symbol);
-    return true;
-  }
-  if (existing != nullptr) *existing = &at->second;
+  const Symbol before = at->second;
+  at->second = symbol;
+  if (before.leaked) return true;
+  if (existing != nullptr) *existing = before;
   return false;
 }
 

@@ -49,6 +49,17 @@ std::size_t CharacterLength(std::string_view text, std::size_t at) {
   return length;
 }
 
+// Names and strings of a hostile text must not reach the terminal as control codes.
+std::string Printable(std::string_view text) {
+  std::string printable;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = CharacterLength(text, i);
+    printable += length == 0 ? "?" : text.substr(i, length);
+    i += std::max<std::size_t>(length, 1);
+  }
+  return printable;
+}
+
 // A source line fit for a terminal, and the caret line under it: one cell per character, tabs kept, bytes that are no
 // UTF-8 and control characters as '?'.
 class Excerpt {
@@ -130,7 +141,7 @@ class Formatter {
     const SourceFile* file = FileOf(location, sources_);
     if (!file) return {};
     const PresumedLine line = Presume(*file, location.line);
-    return line.path + ":" + std::to_string(line.line);
+    return Printable(line.path) + ":" + std::to_string(line.line);
   }
 
   void Message(const Range& range, std::string_view word, std::string_view word_style, const std::string& text) {
@@ -139,7 +150,7 @@ class Formatter {
     if (!place.empty()) Add(style_.place, place + ":" + std::to_string(at.column) + ":"), out_ += ' ';
     Add(word_style, std::string(word) + ":");
     out_ += ' ';
-    Add(style_.place, text);
+    Add(style_.place, Printable(text));
     out_ += '\n';
     if (const SourceFile* file = FileOf(at, sources_)) SourceLine(*file, range);
   }

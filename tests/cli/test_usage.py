@@ -57,7 +57,7 @@ class Usage(BurinTest):
         self.refused("render", "a.png", "-o", "b.mp4", message="H.264 needs an even width and height, the frame is 5x3")
         self.refused("render", "a.png", "-o", "b.mkv", "--depth", "16", message="video holds 8 bits a channel, not 16")
         self.refused("render", "a.png", "-o", "b.mkv", "--alpha", "keep", message="video holds no alpha")
-        self.refused("render", "a.png", "-o", "b.jpg", "--depth", "16", message="b.jpg: ")
+        self.refused("render", "a.png", "-o", "b.jpg", "--depth", "16", message="b.jpg")
         self.refused("render", "a.png", "-o", "b.png", "--attributes", "color,alpha", message="2 attributes need layers")
         self.refused("render", "a.png", "-o", "b.exr", "--attributes", "colour", message="unknown attribute 'colour'")
         self.refused("render", "a.png", "-o", "b/##/c.png", message="stands in a folder's name")

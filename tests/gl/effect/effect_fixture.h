@@ -68,7 +68,8 @@ class Bench {
 
 [[nodiscard]] ::testing::AssertionResult Near(const Rgba& actual, const Rgba& expected, float tolerance);
 #define EXPECT_RGBA(actual, ...) EXPECT_TRUE(::burin::effect::Near(actual, ::burin::effect::Rgba{__VA_ARGS__}, 1e-6f))
+// To half a step of 8 bits, and what rounding adds to it.
 #define EXPECT_RGBA8(actual, ...) \
-  EXPECT_TRUE(::burin::effect::Near(actual, ::burin::effect::Rgba{__VA_ARGS__}, 0.5f / 255.0f))
+  EXPECT_TRUE(::burin::effect::Near(actual, ::burin::effect::Rgba{__VA_ARGS__}, 0.51f / 255.0f))
 
 }  // namespace burin::effect

@@ -36,8 +36,8 @@ TEST_P(TargetFormats, ReadAsDirect3D) {
       << tested.format;
 }
 
-constexpr float kHalfStep8 = 0.5f / 255;
-constexpr float kHalfStep16 = 0.5f / 65535;
+constexpr float kHalfStep8 = 0.51f / 255;
+constexpr float kHalfStep16 = 0.51f / 65535;
 INSTANTIATE_TEST_SUITE_P(
     All, TargetFormats,
     ::testing::Values(Case{"A8R8G8B8", {0.25f, 0.5f, 0.75f, 0.125f}, kHalfStep8},
@@ -45,8 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"L8", {0.25f, 0.25f, 0.25f, 1}, kHalfStep8},
                       Case{"L16", {0.25f, 0.25f, 0.25f, 1}, kHalfStep16},
                       Case{"A8L8", {0.25f, 0.25f, 0.25f, 0.125f}, kHalfStep8},
-                      Case{"R5G6B5", {0.25f, 0.5f, 0.75f, 1}, 0.5f / 31},
-                      Case{"A2B10G10R10", {0.25f, 0.5f, 0.75f, 0}, 0.5f / 1023},
+                      Case{"R5G6B5", {0.25f, 0.5f, 0.75f, 1}, 0.51f / 31},
+                      Case{"A2B10G10R10", {0.25f, 0.5f, 0.75f, 0}, 0.51f / 1023},
                       Case{"G16R16", {0.25f, 0.5f, 1, 1}, kHalfStep16},
                       Case{"A16B16G16R16", {0.25f, 0.5f, 0.75f, 0.125f}, kHalfStep16},
                       Case{"B16G16R16", {0.25f, 0.5f, 0.75f, 1}, kHalfStep16}, Case{"R16F", {0.25f, 1, 1, 1}, 0},
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"A16B16G16R16F", {0.25f, 0.5f, 0.75f, 0.125f}, 0}, Case{"R32F", {0.25f, 1, 1, 1}, 0},
                       Case{"G32R32F", {0.25f, 0.5f, 1, 1}, 0},
                       Case{"A32B32G32R32F", {0.25f, 0.5f, 0.75f, 0.125f}, 0}),
-    [](const auto& info) { return std::string(info.param.format); });
+    [](const auto& tested) { return std::string(tested.param.format); });
 
 TEST(TargetFormat, FixedPointClampsAndFloatsDoNot) {
   EXPECT_RGBA(ThroughFormat("A8R8G8B8", "float4(-1, 2, 0, 1)"), 0, 1, 0, 1);

@@ -274,7 +274,7 @@ TEST(Library, ScreensKeepTheTone) {
       const PixelMap frame = bench.RunPixels();
       double sum = 0;
       for (const Rgba& pixel : frame.pixels) sum += static_cast<double>(pixel[0]);
-      // Print's own measure of a faithful screen.
+      // A step of 6 bits.
       EXPECT_NEAR(sum / static_cast<double>(frame.pixels.size()), tone, 1.0 / 64);
     }
   }
@@ -291,9 +291,9 @@ TEST(Library, ComparisonSplitsBetweenItsDetectors) {
     for (const Rgba& pixel : frame.pixels) count += pixel[0] == 0.0f;
     return count;
   };
-  // A square of 10x10: the Roberts cross marks one texel along its outline, Sobel two.
+  // A square of 10x10: the Roberts cross marks one texel along its outline, Sobel one on either side.
   EXPECT_EQ(edges(roberts.RunPixels()), 40);
-  EXPECT_EQ(edges(sobel.RunPixels()), 4 * 20 - 8 + 4);
+  EXPECT_EQ(edges(sobel.RunPixels()), (12 * 12 - 10 * 10) + (10 * 10 - 8 * 8));
 }
 
 TEST(Library, GbufferEdgesFollowIdsDepthAndNormals) {
@@ -314,6 +314,8 @@ TEST(Library, GbufferEdgesFollowIdsDepthAndNormals) {
   const auto slope = [](int x, int) { return Rgba{5.0f + 0.1f * static_cast<float>(x), 1, 1, 1}; };
   EXPECT_EQ(run(one, one, up), 0);
   EXPECT_EQ(run(one, slope, up), 0) << "a slanting plane has no edges";
+  // Steep, in perspective: the reciprocal of the depth is what grows evenly over the picture.
+  EXPECT_EQ(run(one, [](int x, int) { return Rgba{1.0f / (0.05f + 0.04f * static_cast<float>(x)), 1, 1, 1}; }, up), 0);
   EXPECT_EQ(run([](int x, int) { return Rgba{x < 12 ? 1.0f : 2.0f, 1, 1, 1}; }, one, up), 2 * kSize);
   EXPECT_EQ(run(one, [](int x, int) { return Rgba{x < 12 ? 1.0f : 2.0f, 1, 1, 1}; }, up), 2 * kSize);
   EXPECT_EQ(run(one, one, [](int x, int) { return x < 12 ? Rgba{0, 1, 0, 1} : Rgba{1, 0, 0, 1}; }), 2 * kSize);

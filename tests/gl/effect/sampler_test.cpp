@@ -70,7 +70,7 @@ TEST(Sampler, MipmapsAreMadeWhenAskedFor) {
 TEST(Sampler, MaxMipLevelAndBias) {
   EXPECT_NEAR(LookUp("MipFilter = Point; MaxMipLevel = 2;", "float4(0.125, 0.5, 0, 0)", "tex2Dlod"), 0.25f, 1e-3f);
   EXPECT_NEAR(LookUp("MaxMipLevel = 2;", "float4(0.125, 0.5, 0, 0)", "tex2Dlod"), 0.25f, 1e-3f);
-  EXPECT_NEAR(LookUp("MipFilter = Point; MipMapLodBias = 2;", "float4(0.125, 0.5, 0, 0)", "tex2Dbias"), 0.25f, 1e-3f);
+  EXPECT_NEAR(LookUp("MipFilter = Point; MipMapLodBias = 2;", "float4(0.125, 0.5, 0, 0)", "tex2Dlod"), 0.25f, 1e-3f);
 }
 
 TEST(Sampler, ProjectionDividesByW) {

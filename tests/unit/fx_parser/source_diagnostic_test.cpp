@@ -78,6 +78,13 @@ TEST(SourceFormatDiagnostic, ReplacesBytesThatAreNoText) {
   EXPECT_EQ(Format("a\x93\xfa\x1b[31m b", On(1, 10, 11)), "toon.fx:1:10: error: wrong [X3000]\na???[31m b\n         ^\n");
 }
 
+TEST(SourceFormatDiagnostic, KeepsControlCharactersFromTheTerminal) {
+  SourceSet sources = OneFile("a");
+  sources.files[0].path = "\033[2J.fx";
+  EXPECT_EQ(FormatDiagnostic({Severity::kError, On(1, 1, 2), "name '\a\xc3\xa9\xc3'", "B1", {}}, sources),
+            "?[2J.fx:1:1: error: name '?\xc3\xa9?' [B1]\na\n^\n");
+}
+
 TEST(SourceFormatDiagnostic, ShowsAWindowOfALongLine) {
   const std::string formatted = Format(std::string(5000, 'a') + "B" + std::string(5000, 'c'), On(1, 5001, 5002));
   EXPECT_EQ(formatted, "toon.fx:1:5001: error: wrong [X3000]\n..." + std::string(100, 'a') + "B" + std::string(59, 'c') +

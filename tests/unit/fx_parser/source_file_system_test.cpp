@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "fx_parser/source/include_resolver.h"
+#include "fx_parser/source/source.h"
 #include "fx_parser/source/source_text.h"
 
 namespace burin::fx {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include <glm/geometric.hpp>
-
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/scene/pose.h"
 #include "scene_fixture.h"
@@ -16,13 +15,13 @@ void ExpectNear(const glm::vec3& a, const glm::vec3& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], kTolerance) << c;
 }
 
-/// The node's item, or a failure.
-const DrawItem& ItemOf(const std::vector<DrawItem>& items, int node) {
+/// The node's item (a copy: callers pass temporaries), or a failure.
+DrawItem ItemOf(const std::vector<DrawItem>& items, int node) {
   for (const DrawItem& item : items) {
     if (item.node == node) return item;
   }
   ADD_FAILURE() << "no item for node " << node;
-  return items.front();
+  return {};
 }
 
 TEST(DrawItems, NumberObjectsMaterialsAndPrimitives) {
@@ -100,7 +99,7 @@ TEST(DrawItems, RememberThePreviousPositions) {
   const std::vector<DrawItem> items = BuildDrawItems(scene, now, before);
   const std::vector<DrawItem> earlier = BuildDrawItems(scene, before, before);
   for (const int node : {5, 6}) {
-    const DrawItem& item = ItemOf(items, node);
+    const DrawItem item = ItemOf(items, node);
     EXPECT_EQ(item.deformed.previous_positions, ItemOf(earlier, node).deformed.positions);
     EXPECT_EQ(item.previous_world_from_object, ItemOf(earlier, node).world_from_object);
   }
@@ -150,7 +149,7 @@ TEST(DrawItems, SendNormalsByTheInverseTranspose) {
   stretch[0][0] = 3.0f;
   const Scene scene = SkinnedTriangle(stretch);
   const Pose pose = EvaluatePose(scene, {}, 0.0);
-  const DeformedVertices& d = BuildDrawItems(scene, pose, pose)[0].deformed;
+  const DeformedVertices d = BuildDrawItems(scene, pose, pose)[0].deformed;
   ExpectNear(d.normals[0], glm::normalize(glm::vec3(1.0f / 3.0f, 0, 1)));
   ExpectNear(glm::vec3(d.tangents[0]), glm::normalize(glm::vec3(3, 0, -1)));
   EXPECT_EQ(d.tangents[0].w, 1.0f);
