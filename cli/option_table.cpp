@@ -97,7 +97,7 @@ constexpr OptionSpec kTable[] = {
      "resized to it (bilinear).",
      "", Repeat::kLast, [](Settings& s, const std::string& v) { return Store(s.job.size, ParseSize(v)); }},
     {"depth", 0, "BITS", kRender, kOutput,
-     "Bits a channel: 8 or 16 for PNG and TIFF (8, or 16 for a source with more), 16 (half) or 32 (float) for EXR "
+     "Bits a channel: 8 or 16 for PNG and TIFF (8, or 16 for a 16-bit source), 16 (half) or 32 (float) for EXR "
      "(half for colours, float for what needs it).",
      "8|16|32", Repeat::kLast, StoreDepth},
     {"alpha", 0, "MODE", kRender, kOutput,

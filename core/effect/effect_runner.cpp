@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/effect_runner.h"
 
-#include <algorithm>
-#include <set>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -13,15 +11,10 @@
 #include "core/effect/pass_program.h"
 #include "core/effect/pass_step.h"
 #include "core/effect/schedule.h"
-#include "core/effect/srgb_view.h"
-#include "core/effect/state_binder.h"
 #include "core/effect/target_format.h"
 #include "core/effect/texture_store.h"
-#include "core/gl/framebuffer.h"
 #include "core/gl/fullscreen_quad.h"
 #include "core/gl/state.h"
-#include "core/gl/vertex_layout.h"
-#include "fx_parser/glsl/interface.h"
 
 namespace burin::effect {
 namespace {
@@ -29,7 +22,8 @@ namespace {
 class Runner final : public EffectRunner {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Runner>> Create(std::shared_ptr<const fx::Effect> effect,
-                                                              const RunnerOptions& options, TechniqueChoice choice);
+                                                              const RunnerOptions& options, TechniqueChoice choice,
+                                                              Schedule schedule, std::vector<PassProgram> programs);
 
   const std::vector<AttributeTarget>& attributes() const override { return attributes_; }
   const TechniqueChoice& choice() const override { return choice_; }
@@ -39,10 +33,10 @@ class Runner final : public EffectRunner {
   Result<const gl::Texture*> Run(const FrameContext& context, const SceneDraws& scene) override;
 
  private:
-  Runner(std::shared_ptr<const fx::Effect> effect, TechniqueChoice choice)
-      : effect_(std::move(effect)), choice_(std::move(choice)) {}
+  Runner(std::shared_ptr<const fx::Effect> effect, TechniqueChoice choice, Schedule schedule)
+      : effect_(std::move(effect)), choice_(std::move(choice)), schedule_(std::move(schedule)) {}
   Result<void> CreateTextures(const RunnerOptions& options);
-  Result<void> CreateSteps();
+  Result<void> CreateSteps(std::vector<PassProgram> programs);
   void ListAttributes();
   void ClearAtStart();
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
@@ -64,10 +58,11 @@ class Runner final : public EffectRunner {
 };
 
 Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect> effect, const RunnerOptions& options,
-                                               TechniqueChoice choice) {
-  std::unique_ptr<Runner> runner(new Runner(std::move(effect), std::move(choice)));
+                                               TechniqueChoice choice, Schedule schedule,
+                                               std::vector<PassProgram> programs) {
+  std::unique_ptr<Runner> runner(new Runner(std::move(effect), std::move(choice), std::move(schedule)));
   if (auto made = runner->CreateTextures(options); !made) return std::unexpected(made.error());
-  if (auto made = runner->CreateSteps(); !made) return std::unexpected(made.error());
+  if (auto made = runner->CreateSteps(std::move(programs)); !made) return std::unexpected(made.error());
   runner->ListAttributes();
   auto quad = gl::FullscreenQuad::Create();
   if (!quad) return std::unexpected(quad.error());
@@ -78,7 +73,6 @@ Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect>
 Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   auto overrides = ParseOverrides(*effect_, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
-  schedule_ = MakeSchedule(*effect_, choice_.technique, {options.width, options.height});
   auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options.load_texture, warnings_);
   if (!textures) return std::unexpected(textures.error());
   textures_ = std::move(*textures);
@@ -101,11 +95,11 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   return {};
 }
 
-Result<void> Runner::CreateSteps() {
+Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
   const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
-  for (const Step& step : schedule_.steps) {
-    auto made = PassStep::Create(*effect_, step, frame, *textures_, lookup, warnings_);
+  for (std::size_t i = 0; i < schedule_.steps.size(); ++i) {
+    auto made = PassStep::Create(*effect_, schedule_.steps[i], std::move(programs[i]), frame, *textures_, lookup, warnings_);
     if (!made) return std::unexpected(made.error());
     steps_.push_back(std::move(*made));
   }
@@ -179,48 +173,53 @@ Result<const gl::Texture*> Runner::Run(const FrameContext& context, const SceneD
   return &frame_;
 }
 
-// What must be so for a technique to run on this device, beyond what the effect says.
-std::string DeviceRefusal(const fx::Technique& technique) {
+// What this device lacks for one pass; empty when nothing.
+std::string DeviceRefusal(const fx::Pass& pass) {
   GLint draw_buffers = 0;
   GLint units = 0;
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &draw_buffers);
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
-  for (const fx::Pass& pass : technique.passes) {
-    if (static_cast<GLint>(pass.targets.size()) > draw_buffers) {
-      return fmt::format("pass {} draws into {} targets; this device has {}", pass.name, pass.targets.size(), draw_buffers);
-    }
-    if (static_cast<GLint>(pass.program.samplers.size()) > units) {
-      return fmt::format("pass {} uses {} samplers; this device has {}", pass.name, pass.program.samplers.size(), units);
-    }
+  if (static_cast<GLint>(pass.targets.size()) > draw_buffers) {
+    return fmt::format("pass {} draws into {} targets; this device has {}", pass.name, pass.targets.size(), draw_buffers);
+  }
+  if (static_cast<GLint>(pass.program.samplers.size()) > units) {
+    return fmt::format("pass {} uses {} samplers; this device has {}", pass.name, pass.program.samplers.size(), units);
   }
   return {};
 }
 
-}  // namespace
+// Every step's program, or why this device cannot run one of them.
+Result<std::vector<PassProgram>> CompilePrograms(const fx::Effect& effect, const Schedule& schedule) {
+  std::vector<PassProgram> programs;
+  for (const Step& step : schedule.steps) {
+    const fx::Technique& technique = effect.techniques[step.technique];
+    const fx::Pass& pass = technique.passes[step.pass];
+    const std::string label = fmt::format("{}: technique '{}', pass '{}'", effect.path, technique.name, pass.name);
+    if (const std::string refusal = DeviceRefusal(pass); !refusal.empty()) return Fail(ErrorKind::kInput, label + ": " + refusal);
+    auto program = PassProgram::Create(effect, pass.program, label);
+    if (!program) return std::unexpected(program.error());
+    programs.push_back(std::move(*program));
+  }
+  return programs;
+}
 
-static_assert(gl::kLocationTexCoord0 == 8 && gl::kLocationColor0 == 4);
+}  // namespace
 
 Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const fx::Effect> effect,
                                                            const RunnerOptions& options) {
   auto choice = ChooseTechnique(*effect, options.technique);
   if (!choice) return std::unexpected(choice.error());
   while (true) {
-    const fx::Technique& technique = effect->techniques[choice->technique];
-    const std::string refusal = DeviceRefusal(technique);
-    if (refusal.empty()) {
-      auto runner = Runner::Create(effect, options, *choice);
+    Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height});
+    auto programs = CompilePrograms(*effect, schedule);
+    if (programs) {
+      auto runner = Runner::Create(effect, options, *choice, std::move(schedule), std::move(*programs));
       if (!runner) return std::unexpected(runner.error());
       return runner;
     }
-    if (!options.technique.empty()) {
-      return Fail(ErrorKind::kInput,
-                  fmt::format("{}: technique '{}' cannot run here: {}", effect->path, technique.name, refusal));
-    }
-    choice->rejected.emplace_back(technique.name, refusal);
-    if (!NextTechnique(*effect, *choice)) {
-      return Fail(ErrorKind::kInput, fmt::format("{}: no technique can run on this device; '{}': {}", effect->path,
-                                                 technique.name, refusal));
-    }
+    if (!options.technique.empty()) return std::unexpected(programs.error());
+    choice->rejected.emplace_back(effect->techniques[choice->technique].name, programs.error().message);
+    if (!NextTechnique(*effect, *choice)) return std::unexpected(programs.error());
   }
 }
 

@@ -41,17 +41,15 @@ std::array<float, 4> ClearColor(const fx::Texture& texture) {
 
 }  // namespace
 
-Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, const FrameTexture& frame,
-                                  TextureStore& textures, const fx::ParameterLookup& lookup,
+Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, PassProgram program,
+                                  const FrameTexture& frame, TextureStore& textures, const fx::ParameterLookup& lookup,
                                   std::vector<std::string>& warnings) {
   PassStep result;
   result.step_ = step;
   const fx::Pass& pass = PassOf(effect, step);
   result.label_ = fmt::format("{}: technique '{}', pass {}", effect.path, effect.techniques[step.technique].name,
                               pass.name.empty() ? fmt::format("{}", step.pass) : fmt::format("'{}'", pass.name));
-  auto program = PassProgram::Create(effect, pass.program, result.label_);
-  if (!program) return std::unexpected(program.error());
-  result.program_ = std::move(*program);
+  result.program_ = std::move(program);
   for (const fx::PassState& state : pass.states) {
     if (const auto* value = std::get_if<fx::Value>(&state.value)) {
       if (const std::string fault = SetState(result.states_, state.name, *value); !fault.empty()) {

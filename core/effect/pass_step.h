@@ -28,9 +28,9 @@ struct FrameTexture {
 /// One step of the schedule with everything that GL needs for it: program, framebuffer, states, samplers.
 class PassStep {
  public:
-  [[nodiscard]] static Result<PassStep> Create(const fx::Effect& effect, const Step& step, const FrameTexture& frame,
-                                               TextureStore& textures, const fx::ParameterLookup& lookup,
-                                               std::vector<std::string>& warnings);
+  [[nodiscard]] static Result<PassStep> Create(const fx::Effect& effect, const Step& step, PassProgram program,
+                                               const FrameTexture& frame, TextureStore& textures,
+                                               const fx::ParameterLookup& lookup, std::vector<std::string>& warnings);
 
   /// Binds all of it and clears what the schedule says; the caller then draws.
   [[nodiscard]] Result<void> Begin(const fx::Effect& effect, const TextureStore& textures, const ParameterValues& values,

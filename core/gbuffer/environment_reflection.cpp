@@ -133,8 +133,7 @@ std::vector<LobeSample> LobeSamples(float roughness, int face_size) {
     const float d = cosine * cosine * (alpha * alpha - 1.0f) + 1.0f;
     const float density = alpha * alpha / (kPi * d * d) / 4.0f;   // D (n.h) / (4 v.h), with v = n
     const float solid_angle = 1.0f / (kSamples * density);
-    // One level up, as the paper advises against gaps between the samples' footprints.
-    const float level = std::max(0.0f, 0.5f * std::log2(solid_angle / texel) + 1.0f);
+    const float level = std::max(0.0f, 0.5f * std::log2(solid_angle / texel));
     samples.push_back({light, light.z, level});
     total += light.z;
   }
@@ -176,7 +175,7 @@ Cube Resample(const EnvironmentMap& map, int face_size) {
 ReflectionMap FilterReflections(const EnvironmentMap& map, int face_size) {
   ReflectionMap result{.face_size = face_size, .levels = {}};
   std::vector<Cube> chain{Resample(map, face_size)};
-  while (chain.back().size > 2) chain.push_back(Halve(chain.back()));
+  while (chain.back().size > 4) chain.push_back(Halve(chain.back()));
   const int levels = std::max(2, static_cast<int>(std::bit_width(static_cast<unsigned>(face_size / kSmallestFace))));
   result.levels.push_back(chain.front().texels);
   for (int level = 1; level < levels; ++level) {

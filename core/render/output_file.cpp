@@ -34,7 +34,7 @@ image::SampleType ChooseType(const Output& output, const std::string& extension,
   }
   if (job.depth_bits == 32) return kF32;
   if (job.depth_bits == 16) return kU16;
-  const bool has_more = source.type != kU8 && source.kind != SourceKind::kScene && source.kind != SourceKind::kNone;
+  const bool has_more = source.type == kU16;
   const bool takes_more = extension == "png" || extension == "tif" || extension == "tiff";
   return job.depth_bits == 0 && has_more && takes_more ? kU16 : kU8;
 }

@@ -7,8 +7,8 @@
 
 namespace burin::scene {
 
-/// The value of a channel at `time_s`, `channel.components` floats; before the first key and after the last it is theirs.
-/// Rotations (x, y, z, w) come out with unit length.
+/// The value of a channel at `time_s`, `channel.components` floats; before the first key and after the last it is
+/// theirs. Rotations (x, y, z, w) come out with unit length.
 void SampleChannel(const AnimationChannel& channel, float time_s, std::span<float> out);
 
 /// Spherical interpolation along the shorter arc of unit quaternions.

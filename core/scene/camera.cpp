@@ -18,7 +18,7 @@ constexpr float kDegree = 0.017453292519943295f;
 constexpr float kAutoYaw = 30.0f * kDegree;
 constexpr float kAutoPitch = 20.0f * kDegree;
 constexpr float kAutoFov = 35.0f * kDegree;
-constexpr float kAutoMargin = 1.06f;   // of the picture around what it shows
+constexpr float kAutoMargin = 1.06f;  // of the picture around what it shows
 
 /// The camera nodes below the shown scene's roots, in node order.
 std::vector<int> CameraNodes(const Scene& scene) {
@@ -113,7 +113,7 @@ float CylinderDistance(float radius, float half_height, float pitch, float tan_x
     const float away = radius * std::sin(angle);
     for (const float height : {-half_height, half_height}) {
       const float y = height * cosine - away * sine;
-      const float towards = height * sine + away * cosine;   // to the eye
+      const float towards = height * sine + away * cosine;  // to the eye
       distance = std::max({distance, towards + std::abs(x) / tan_x, towards + std::abs(y) / tan_y});
     }
   }
@@ -124,15 +124,16 @@ View FrameBounds(const Bounds& bounds, float aspect, double orbit_deg) {
   const glm::vec3 centre = bounds.empty() ? glm::vec3(0.0f) : (bounds.min + bounds.max) * 0.5f;
   glm::vec3 half = bounds.empty() ? glm::vec3(1.0f) : (bounds.max - bounds.min) * 0.5f;
   const float sphere = std::max(glm::length(half), 1e-6f);
-  half = glm::max(half, glm::vec3(sphere * 1e-3f));   // a single point still has a picture
+  half = glm::max(half, glm::vec3(sphere * 1e-3f));  // a single point still has a picture
   const float tan_y = std::tan(kAutoFov * 0.5f);
   const float distance =
       kAutoMargin * CylinderDistance(std::hypot(half.x, half.z), half.y, kAutoPitch, tan_y * aspect, tan_y);
 
-  const glm::vec3 back(std::sin(kAutoYaw) * std::cos(kAutoPitch), std::sin(kAutoPitch), std::cos(kAutoYaw) * std::cos(kAutoPitch));
+  const glm::vec3 back(std::sin(kAutoYaw) * std::cos(kAutoPitch), std::sin(kAutoPitch),
+                       std::cos(kAutoYaw) * std::cos(kAutoPitch));
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0f, 1.0f, 0.0f), back));
-  const glm::mat4 world_from_view(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f), glm::vec4(back, 0.0f),
-                                  glm::vec4(centre + back * distance, 1.0f));
+  const glm::mat4 world_from_view(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f),
+                                  glm::vec4(back, 0.0f), glm::vec4(centre + back * distance, 1.0f));
   View view;
   view.view_from_world = RigidInverse(Orbit(centre, orbit_deg) * world_from_view);
   view.znear = std::max((distance - sphere) * 0.9f, distance * 1e-3f);
@@ -160,7 +161,8 @@ Result<int> SelectCamera(const Scene& scene, const std::string& choice) {
                                                    ListCameras(scene, nodes)));
 }
 
-View MakeView(const Scene& scene, const CameraChoice& choice, const Pose& pose, int width, int height, double orbit_deg) {
+View MakeView(const Scene& scene, const CameraChoice& choice, const Pose& pose, int width, int height,
+              double orbit_deg) {
   const float aspect = static_cast<float>(std::max(width, 1)) / static_cast<float>(std::max(height, 1));
   if (choice.camera_node == kNone) return FrameBounds(choice.bounds, aspect, orbit_deg);
 

@@ -2,7 +2,8 @@
 #include "core/scene/deform.h"
 
 // glTF 2.0, 3.7.2.2 (morph targets) and 3.7.3.3 (skins: the blend of the joints' matrices). Normals go by the
-// inverse transpose of the blended matrix, tangents by the matrix itself; a mirroring matrix turns a tangent's handedness.
+// inverse transpose of the blended matrix, tangents by the matrix itself; a mirroring matrix turns a tangent's
+// handedness.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -16,13 +17,12 @@
 namespace burin::scene {
 namespace {
 
-constexpr std::size_t kGrain = 2048;   // vertices: some 50 us of work, well over the cost of a task
+constexpr std::size_t kGrain = 2048;  // vertices: some 50 us of work, well over the cost of a task
 
 template <class Body>
 void ForVertices(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const tbb::blocked_range<std::size_t>& range) {
-    body(range.begin(), range.end());
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
 /// The three upper rows of the joints' matrices, by column.
@@ -69,8 +69,9 @@ bool IsSkinned(const Primitive& primitive, const Deformation& deformation) {
 
 /// base + sum of weight * displacement, for the range [begin, end). T is vec3 or vec4 (tangents, whose w stays).
 template <class T>
-void Morph(const Primitive& p, std::span<const float> weights, std::vector<glm::vec3> Primitive::MorphTarget::*displacements,
-           const std::vector<T>& base, std::vector<T>& out, std::size_t begin, std::size_t end) {
+void Morph(const Primitive& p, std::span<const float> weights,
+           std::vector<glm::vec3> Primitive::MorphTarget::*displacements, const std::vector<T>& base,
+           std::vector<T>& out, std::size_t begin, std::size_t end) {
   std::copy(base.begin() + static_cast<std::ptrdiff_t>(begin), base.begin() + static_cast<std::ptrdiff_t>(end),
             out.begin() + static_cast<std::ptrdiff_t>(begin));
   for (std::size_t t = 0; t < weights.size() && t < p.targets.size(); ++t) {
@@ -104,7 +105,8 @@ void DeformAll(const Primitive& p, const Deformation& at, DeformedVertices& out)
   ForVertices(out.positions.size(), [&](std::size_t begin, std::size_t end) {
     Morph(p, at.weights, &Primitive::MorphTarget::positions, p.positions, out.positions, begin, end);
     if (!p.normals.empty()) Morph(p, at.weights, &Primitive::MorphTarget::normals, p.normals, out.normals, begin, end);
-    if (!p.tangents.empty()) Morph(p, at.weights, &Primitive::MorphTarget::tangents, p.tangents, out.tangents, begin, end);
+    if (!p.tangents.empty())
+      Morph(p, at.weights, &Primitive::MorphTarget::tangents, p.tangents, out.tangents, begin, end);
     for (std::size_t i = begin; i < end; ++i) {
       const Affine m = skinned ? Blend(p, at.joint_matrices, i) : Affine{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
       if (skinned) out.positions[i] = m.Point(out.positions[i]);
@@ -138,7 +140,8 @@ bool IsSame(const Deformation& a, const Deformation& b) {
 
 }  // namespace
 
-void DeformPrimitive(const Primitive& primitive, const Deformation& now, const Deformation& previous, DeformedVertices& out) {
+void DeformPrimitive(const Primitive& primitive, const Deformation& now, const Deformation& previous,
+                     DeformedVertices& out) {
   DeformAll(primitive, now, out);
   if (primitive.flat_normals) RemakeFlatNormals(primitive, now, out);
   if (IsSame(now, previous)) {

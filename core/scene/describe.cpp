@@ -14,27 +14,36 @@ using Json = nlohmann::ordered_json;
 
 const char* Name(PrimitiveMode mode) {
   switch (mode) {
-    case PrimitiveMode::kPoints: return "points";
-    case PrimitiveMode::kLines: return "lines";
-    case PrimitiveMode::kTriangles: return "triangles";
+    case PrimitiveMode::kPoints:
+      return "points";
+    case PrimitiveMode::kLines:
+      return "lines";
+    case PrimitiveMode::kTriangles:
+      return "triangles";
   }
   return "";
 }
 
 const char* Name(LightType type) {
   switch (type) {
-    case LightType::kDirectional: return "directional";
-    case LightType::kPoint: return "point";
-    case LightType::kSpot: return "spot";
+    case LightType::kDirectional:
+      return "directional";
+    case LightType::kPoint:
+      return "point";
+    case LightType::kSpot:
+      return "spot";
   }
   return "";
 }
 
 const char* Name(AlphaMode mode) {
   switch (mode) {
-    case AlphaMode::kOpaque: return "opaque";
-    case AlphaMode::kMask: return "mask";
-    case AlphaMode::kBlend: return "blend";
+    case AlphaMode::kOpaque:
+      return "opaque";
+    case AlphaMode::kMask:
+      return "mask";
+    case AlphaMode::kBlend:
+      return "blend";
   }
   return "";
 }
@@ -73,9 +82,13 @@ Json MeshesJson(const Scene& scene) {
                             {"vertices", p.positions.size()},
                             {"count", p.indices.size() / CornersOf(p.mode)},
                             {"material", p.material == kNone ? Json() : Json(p.material)},
-                            {"texcoords", p.texcoords[0].empty() ? 0 : p.texcoords[1].empty() ? 1 : 2},
+                            {"texcoords", p.texcoords[0].empty()   ? 0
+                                          : p.texcoords[1].empty() ? 1
+                                                                   : 2},
                             {"colors", !p.colors.empty()},
-                            {"joints", p.joints[0].empty() ? 0 : p.joints[1].empty() ? 4 : 8},
+                            {"joints", p.joints[0].empty()   ? 0
+                                       : p.joints[1].empty() ? 4
+                                                             : 8},
                             {"morph_targets", p.targets.size()}});
     }
     const MeshCounts counts = Count(mesh);
@@ -174,9 +187,13 @@ std::string ToJson(const Scene& scene, const Bounds& bounds) {
 
 std::string Quoted(const std::string& name) { return name.empty() ? "(unnamed)" : fmt::format("\"{}\"", name); }
 
-std::string Plural(std::size_t count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+std::string Plural(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
 
-void Heading(std::string& out, std::size_t count, const char* title) { out += fmt::format("  {} ({}):\n", title, count); }
+void Heading(std::string& out, std::size_t count, const char* title) {
+  out += fmt::format("  {} ({}):\n", title, count);
+}
 
 void MeshesText(const Scene& scene, std::string& out) {
   Heading(out, scene.meshes.size(), "meshes");
@@ -203,8 +220,8 @@ void MaterialsText(const Scene& scene, std::string& out) {
       out += fmt::format(", metallic {:g}, roughness {:g}", m.metallic, m.roughness);
     }
     if (m.double_sided) out += ", double sided";
-    const TextureUse* uses[] = {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.occlusion_texture,
-                                &m.emissive_texture};
+    const TextureUse* uses[] = {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                &m.occlusion_texture, &m.emissive_texture};
     std::size_t textures = 0;
     for (const TextureUse* use : uses) textures += *use ? 1 : 0;
     if (textures > 0) out += ", " + Plural(textures, "texture");
@@ -236,18 +253,20 @@ void AnimationsText(const Scene& scene, std::string& out) {
   Heading(out, scene.animations.size(), "animations");
   for (std::size_t i = 0; i < scene.animations.size(); ++i) {
     const Animation& a = scene.animations[i];
-    out += fmt::format("    {} {}: {:.3f} s, {}\n", i, Quoted(a.name), a.duration_s, Plural(a.channels.size(), "channel"));
+    out +=
+        fmt::format("    {} {}: {:.3f} s, {}\n", i, Quoted(a.name), a.duration_s, Plural(a.channels.size(), "channel"));
   }
 }
 
 std::string ToText(const Scene& scene, const Bounds& bounds) {
   std::string out = fmt::format("{}: scene {}\n", scene.path, Quoted(scene.name));
-  out += fmt::format("  nodes: {}, skins: {}, images: {}\n", scene.nodes.size(), scene.skins.size(), scene.images.size());
+  out +=
+      fmt::format("  nodes: {}, skins: {}, images: {}\n", scene.nodes.size(), scene.skins.size(), scene.images.size());
   if (bounds.empty()) {
     out += "  bounds: nothing is drawn\n";
   } else {
-    out += fmt::format("  bounds: {:g} {:g} {:g} to {:g} {:g} {:g}\n", bounds.min.x, bounds.min.y, bounds.min.z, bounds.max.x,
-                       bounds.max.y, bounds.max.z);
+    out += fmt::format("  bounds: {:g} {:g} {:g} to {:g} {:g} {:g}\n", bounds.min.x, bounds.min.y, bounds.min.z,
+                       bounds.max.x, bounds.max.y, bounds.max.z);
   }
   if (!scene.meshes.empty()) MeshesText(scene, out);
   if (!scene.materials.empty()) MaterialsText(scene, out);

@@ -21,7 +21,9 @@ std::vector<glm::mat4> JointMatrices(const Skin& skin, const Pose& pose) {
 }
 
 std::uint32_t PrimitiveCount(const Primitive& primitive) {
-  const std::size_t corners = primitive.mode == PrimitiveMode::kTriangles ? 3 : primitive.mode == PrimitiveMode::kLines ? 2 : 1;
+  const std::size_t corners = primitive.mode == PrimitiveMode::kTriangles ? 3
+                              : primitive.mode == PrimitiveMode::kLines   ? 2
+                                                                          : 1;
   return static_cast<std::uint32_t>(primitive.indices.size() / corners);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
-constexpr std::uint32_t kMagic = 0x46546c67;   // "glTF"
+constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJson = 0x4e4f534a;
 constexpr std::uint32_t kBin = 0x004e4942;
 
@@ -45,7 +45,8 @@ Result<GlbChunks> ReadGlbChunks(std::span<const std::byte> file) {
     const std::uint32_t type = ReadU32(file, at + 4);
     at += kChunkHeaderBytes;
     if (size > file.size() - at) {
-      return Bad(fmt::format("GLB chunk {}: {} bytes, but only {} are left in the file", index, size, file.size() - at));
+      return Bad(
+          fmt::format("GLB chunk {}: {} bytes, but only {} are left in the file", index, size, file.size() - at));
     }
     const std::span<const std::byte> data = file.subspan(at, size);
     if (index == 0) {

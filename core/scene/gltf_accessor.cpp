@@ -37,10 +37,13 @@ std::size_t ElementBytes(const tinygltf::Accessor& accessor) {
   const std::size_t component = ComponentBytes(accessor.componentType);
   const auto columns = [component](std::size_t n) { return n * ((n * component + 3) / 4 * 4); };
   switch (accessor.type) {
-    case TINYGLTF_TYPE_MAT2: return columns(2);
-    case TINYGLTF_TYPE_MAT3: return columns(3);
+    case TINYGLTF_TYPE_MAT2:
+      return columns(2);
+    case TINYGLTF_TYPE_MAT3:
+      return columns(3);
     default:
-      return component * static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+      return component *
+             static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
   }
 }
 
@@ -65,7 +68,7 @@ std::size_t Stride(const GltfDocument& document, const tinygltf::Accessor& acces
 template <class T>
 T Load(const std::byte* at) {
   T value;
-  std::memcpy(&value, at, sizeof(T));   // glTF is little-endian, as are the machines that this program runs on
+  std::memcpy(&value, at, sizeof(T));  // glTF is little-endian, as are the machines that this program runs on
   return value;
 }
 
@@ -93,12 +96,18 @@ void DecodeFloats(const Elements& from, int components, bool normalised, float* 
 
 void Decode(const Elements& from, const AccessorShape& shape, bool normalised, float* out) {
   switch (shape.component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return DecodeFloats<std::int8_t>(from, shape.components, normalised, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return DecodeFloats<std::uint8_t>(from, shape.components, normalised, out);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return DecodeFloats<std::int16_t>(from, shape.components, normalised, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return DecodeFloats<std::uint16_t>(from, shape.components, normalised, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return DecodeFloats<std::uint32_t>(from, shape.components, normalised, out);
-    default: return DecodeFloats<float>(from, shape.components, normalised, out);
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return DecodeFloats<std::int8_t>(from, shape.components, normalised, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return DecodeFloats<std::uint8_t>(from, shape.components, normalised, out);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return DecodeFloats<std::int16_t>(from, shape.components, normalised, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return DecodeFloats<std::uint16_t>(from, shape.components, normalised, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return DecodeFloats<std::uint32_t>(from, shape.components, normalised, out);
+    default:
+      return DecodeFloats<float>(from, shape.components, normalised, out);
   }
 }
 
@@ -113,9 +122,12 @@ void DecodeUnsigned(const Elements& from, int components, std::uint32_t* out) {
 
 void DecodeIntegers(const Elements& from, int component_type, int components, std::uint32_t* out) {
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return DecodeUnsigned<std::uint8_t>(from, components, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return DecodeUnsigned<std::uint16_t>(from, components, out);
-    default: return DecodeUnsigned<std::uint32_t>(from, components, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return DecodeUnsigned<std::uint8_t>(from, components, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return DecodeUnsigned<std::uint16_t>(from, components, out);
+    default:
+      return DecodeUnsigned<std::uint32_t>(from, components, out);
   }
 }
 
@@ -130,11 +142,13 @@ Result<void> CheckSparse(const GltfDocument& document, int index) {
   const std::size_t element = ElementBytes(accessor);
   if (!Fits(static_cast<std::size_t>(sparse.indices.byteOffset), count, index_bytes, index_bytes,
             document.ViewBytes(sparse.indices.bufferView).size())) {
-    return Bad(index, fmt::format("its {} sparse indices do not fit in buffer view {}", count, sparse.indices.bufferView));
+    return Bad(index,
+               fmt::format("its {} sparse indices do not fit in buffer view {}", count, sparse.indices.bufferView));
   }
   if (!Fits(static_cast<std::size_t>(sparse.values.byteOffset), count, element, element,
             document.ViewBytes(sparse.values.bufferView).size())) {
-    return Bad(index, fmt::format("its {} sparse values do not fit in buffer view {}", count, sparse.values.bufferView));
+    return Bad(index,
+               fmt::format("its {} sparse values do not fit in buffer view {}", count, sparse.values.bufferView));
   }
   return {};
 }
@@ -169,9 +183,12 @@ Elements SparseElements(const GltfDocument& document, const tinygltf::Accessor& 
 
 std::string TypeName(int components) {
   switch (components) {
-    case 1: return "SCALAR";
-    case 16: return "MAT4";
-    default: return fmt::format("VEC{}", components);
+    case 1:
+      return "SCALAR";
+    case 16:
+      return "MAT4";
+    default:
+      return fmt::format("VEC{}", components);
   }
 }
 
@@ -219,12 +236,14 @@ Result<AccessorShape> CheckAccessor(const GltfDocument& document, int index) {
   if (accessor.bufferView >= 0) {
     const std::size_t length = document.ViewBytes(accessor.bufferView).size();
     if (!Fits(accessor.byteOffset, accessor.count, Stride(document, accessor), ElementBytes(accessor), length)) {
-      return Bad(index, fmt::format("{} elements of {} bytes, {} apart, from byte {} do not fit in buffer view {} of {} bytes",
-                                    accessor.count, ElementBytes(accessor), Stride(document, accessor), accessor.byteOffset,
-                                    accessor.bufferView, length));
+      return Bad(index,
+                 fmt::format("{} elements of {} bytes, {} apart, from byte {} do not fit in buffer view {} of {} bytes",
+                             accessor.count, ElementBytes(accessor), Stride(document, accessor), accessor.byteOffset,
+                             accessor.bufferView, length));
     }
   } else if (accessor.count > kMaxUnbackedCount) {
-    return Bad(index, fmt::format("{} elements without a buffer view, over the limit of {}", accessor.count, kMaxUnbackedCount));
+    return Bad(index, fmt::format("{} elements without a buffer view, over the limit of {}", accessor.count,
+                                  kMaxUnbackedCount));
   }
   if (accessor.sparse.isSparse) {
     if (auto ok = CheckSparse(document, index); !ok) return std::unexpected(ok.error());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Checked reading of glTF accessors (specification 3.6.2): strided, sparse, integer and normalised data to plain arrays.
-// Every read is checked against the buffer view with arithmetic that cannot overflow, and does not need aligned data.
+// Checked reading of glTF accessors (specification 3.6.2): strided, sparse, integer and normalised data to plain
+// arrays. Every read is checked against the buffer view with arithmetic that cannot overflow, and does not need aligned
+// data.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace burin::scene {
 
 struct AccessorShape {
   std::size_t count = 0;
-  int components = 1;             ///< 16 for MAT4
-  int component_type = 0;         ///< 5120 ... 5126
+  int components = 1;      ///< 16 for MAT4
+  int component_type = 0;  ///< 5120 ... 5126
   bool normalized = false;
   [[nodiscard]] bool is_float() const { return component_type == 5126; }
 };

@@ -39,7 +39,8 @@ Result<std::vector<float>> ReadTimes(GltfDocument& document, int accessor, const
   auto times = ReadFloats(document, accessor, 1);
   if (!times) return Bad(where, times.error().message);
   for (std::size_t i = 0; i < times->size(); ++i) {
-    if ((*times)[i] < 0.0f) return Bad(where, fmt::format("accessor {}: key {} is at {} s, before 0", accessor, i, (*times)[i]));
+    if ((*times)[i] < 0.0f)
+      return Bad(where, fmt::format("accessor {}: key {} is at {} s, before 0", accessor, i, (*times)[i]));
     if (i > 0 && (*times)[i] < (*times)[i - 1]) {
       return Bad(where, fmt::format("accessor {}: key {} at {} s is before the one at {} s", accessor, i, (*times)[i],
                                     (*times)[i - 1]));
@@ -88,13 +89,14 @@ class AnimationReader {
     for (std::size_t i = 0; i < source.channels.size(); ++i) {
       const std::string at = fmt::format("{}.channels[{}]", where, i);
       if (source.channels[i].sampler >= static_cast<int>(source.samplers.size())) {
-        return Bad(at + ".sampler", fmt::format("index {} is out of range, \"samplers\" has {}", source.channels[i].sampler,
-                                                source.samplers.size()));
+        return Bad(at + ".sampler", fmt::format("index {} is out of range, \"samplers\" has {}",
+                                                source.channels[i].sampler, source.samplers.size()));
       }
       auto channel = Target(source.channels[i], at);
       if (!channel) continue;
       const int sampler = source.channels[i].sampler;
-      auto ok = Keys(source.samplers[static_cast<std::size_t>(sampler)], fmt::format("{}.samplers[{}]", where, sampler), *channel);
+      auto ok = Keys(source.samplers[static_cast<std::size_t>(sampler)], fmt::format("{}.samplers[{}]", where, sampler),
+                     *channel);
       if (!ok) return std::unexpected(ok.error());
       animation.duration_s = std::max(animation.duration_s, channel->times.back());
       animation.channels.push_back(std::move(*channel));
@@ -114,13 +116,16 @@ class AnimationReader {
     AnimationChannel channel;
     channel.node = source.target_node;
     channel.path = *path;
-    channel.components = *path == AnimationPath::kRotation ? 4 : *path == AnimationPath::kWeights ? MorphTargets(scene_, node) : 3;
+    channel.components = *path == AnimationPath::kRotation  ? 4
+                         : *path == AnimationPath::kWeights ? MorphTargets(scene_, node)
+                                                            : 3;
     if (*path == AnimationPath::kWeights && channel.components == 0) {
       document_.Warn(fmt::format("{}: nodes[{}] has no morph targets; the channel is ignored", where, channel.node));
       return std::nullopt;
     }
     if (*path != AnimationPath::kWeights && node.matrix) {
-      document_.Warn(fmt::format("{}: nodes[{}] has a matrix, which is not animated; the channel is ignored", where, channel.node));
+      document_.Warn(fmt::format("{}: nodes[{}] has a matrix, which is not animated; the channel is ignored", where,
+                                 channel.node));
       return std::nullopt;
     }
     return channel;

@@ -46,7 +46,8 @@ class AttributeMap {
     auto shape = CheckAccessor(document_, Accessor(name));
     if (!shape) return BadAt(name, shape.error().message);
     if (shape->count == count_) return {};
-    return BadAt(name, fmt::format("accessor {} has {} elements, POSITION has {}", Accessor(name), shape->count, count_));
+    return BadAt(name,
+                 fmt::format("accessor {} has {} elements, POSITION has {}", Accessor(name), shape->count, count_));
   }
 
  private:
@@ -69,7 +70,8 @@ Result<void> CheckNumbering(const AttributeMap& map, const Attributes& attribute
     }
     const int set = std::stoi(number);
     if (set > 0 && !map.Has(fmt::format("{}_{}", base, set - 1))) {
-      return map.BadAt(name, fmt::format("is there without {}_{}; sets are numbered from 0 without gaps", base, set - 1));
+      return map.BadAt(name,
+                       fmt::format("is there without {}_{}; sets are numbered from 0 without gaps", base, set - 1));
     }
   }
   return {};
@@ -116,7 +118,8 @@ Result<void> NormaliseWeights(GltfDocument& document, const AttributeMap& map, P
       for (int c = 0; c < 4; ++c) {
         const float weight = primitive.weights[set][i][c];
         if (weight < 0.0f) {
-          return map.BadAt(fmt::format("WEIGHTS_{}", set), fmt::format("the weight {} of vertex {} is negative", weight, i));
+          return map.BadAt(fmt::format("WEIGHTS_{}", set),
+                           fmt::format("the weight {} of vertex {} is negative", weight, i));
         }
         if (weight == 0.0f) primitive.joints[set][i][c] = 0;
         sum += weight;
@@ -167,7 +170,8 @@ void NormaliseTangents(std::vector<glm::vec4>& tangents) {
 Result<void> ReadTargets(GltfDocument& document, const tinygltf::Primitive& source, const std::string& where,
                          Primitive& primitive) {
   for (std::size_t i = 0; i < source.targets.size(); ++i) {
-    const AttributeMap map(document, source.targets[i], fmt::format("{}.targets[{}]", where, i), primitive.positions.size());
+    const AttributeMap map(document, source.targets[i], fmt::format("{}.targets[{}]", where, i),
+                           primitive.positions.size());
     Primitive::MorphTarget target;
     if (auto ok = map.Read("POSITION", target.positions); !ok) return ok;
     if (auto ok = map.Read("NORMAL", target.normals); !ok) return ok;
@@ -191,7 +195,7 @@ Result<Primitive> ReadAttributes(GltfDocument& document, const tinygltf::Primiti
   if (auto ok = map.Read("POSITION", primitive.positions); !ok) return std::unexpected(ok.error());
   if (auto ok = map.Read("NORMAL", primitive.normals); !ok) return std::unexpected(ok.error());
   if (auto ok = map.Read("TANGENT", primitive.tangents); !ok) return std::unexpected(ok.error());
-  if (primitive.normals.empty()) primitive.tangents.clear();   // specification 3.7.2.1
+  if (primitive.normals.empty()) primitive.tangents.clear();  // specification 3.7.2.1
   NormaliseTangents(primitive.tangents);
   if (auto ok = map.Read("TEXCOORD_0", primitive.texcoords[0]); !ok) return std::unexpected(ok.error());
   if (auto ok = map.Read("TEXCOORD_1", primitive.texcoords[1]); !ok) return std::unexpected(ok.error());

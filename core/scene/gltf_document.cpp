@@ -2,8 +2,8 @@
 #include "core/scene/gltf_document.h"
 
 // tinygltf 2.7 turns the JSON into its model and does nothing else: it gets a text without buffers and images, and file
-// callbacks that find nothing. (Its own loading reads paths outside the scene's folder, decodes every image, and copies from
-// buffer views without a range check.)
+// callbacks that find nothing. (Its own loading reads paths outside the scene's folder, decodes every image, and copies
+// from buffer views without a range check.)
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -17,16 +17,19 @@
 namespace burin::scene {
 namespace {
 
-constexpr std::uint64_t kMaxFileBytes = 0xffff'ffffu;           // what a GLB header can say
+constexpr std::uint64_t kMaxFileBytes = 0xffff'ffffu;  // what a GLB header can say
 constexpr std::uint64_t kMaxJsonBytes = 0x7fff'ffffu;
-constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
+// Decoded arrays are at most some 16 times as large as their bytes (flat normals of byte-sized attributes); sharing of
+// accessors by primitives comes on top.
+constexpr std::uint64_t kDecodedBytesBase = std::uint64_t{512} << 20;
+constexpr std::uint64_t kDecodedBytesFactor = 64;
 
 constexpr std::size_t kMaxWarnings = 30;
 
 // What the readers here know. Others are ignored with a warning, or refused when required.
 constexpr std::string_view kKnownExtensions[] = {
-    "KHR_lights_punctual",  "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_unlit",  "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 bool IsKnown(std::string_view extension) {
@@ -45,7 +48,9 @@ bool RefuseWrite(std::string* error, const std::string&, const std::vector<unsig
   *error = "files are not written here";
   return false;
 }
-bool NoImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return false; }
+bool NoImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return false;
+}
 
 /// The bytes that a URI names, a data URI or a file in the scene's folder.
 Result<std::vector<std::byte>> ReadUri(const SceneFolder& folder, const std::string& uri) {
@@ -104,6 +109,7 @@ Result<void> GltfDocument::CheckExtensions() {
 
 Result<void> GltfDocument::LoadBuffers(std::span<const std::byte> glb_bin, bool has_bin) {
   buffers_.resize(json_.buffers.size());
+  std::uint64_t input_bytes = file_.size();
   for (std::size_t i = 0; i < buffers_.size(); ++i) {
     const BufferEntry& entry = json_.buffers[i];
     GltfBuffer& buffer = buffers_[i];
@@ -122,8 +128,10 @@ Result<void> GltfDocument::LoadBuffers(std::span<const std::byte> glb_bin, bool 
                              buffer.bytes.size()));
     }
     buffer.bytes = buffer.bytes.first(entry.byte_length);
+    input_bytes += buffer.owned.size();
   }
-  json_.buffers.clear();   // data URIs are long
+  max_spent_bytes_ = kDecodedBytesBase + kDecodedBytesFactor * input_bytes;
+  json_.buffers.clear();  // data URIs are long
   return {};
 }
 
@@ -152,15 +160,16 @@ Result<void> GltfDocument::CheckViews() const {
     const tinygltf::BufferView& view = model_->bufferViews[i];
     const std::size_t size = buffers_[static_cast<std::size_t>(view.buffer)].bytes.size();
     if (view.byteOffset > size || view.byteLength > size - view.byteOffset) {
-      return Bad(fmt::format("bufferViews[{}]: {} bytes from {} do not fit in buffer {} of {} bytes", i, view.byteLength,
-                             view.byteOffset, view.buffer, size));
+      return Bad(fmt::format("bufferViews[{}]: {} bytes from {} do not fit in buffer {} of {} bytes", i,
+                             view.byteLength, view.byteOffset, view.buffer, size));
     }
   }
   return {};
 }
 
 bool GltfDocument::Uses(std::string_view extension) const {
-  return std::find(json_.extensions_used.begin(), json_.extensions_used.end(), extension) != json_.extensions_used.end();
+  return std::find(json_.extensions_used.begin(), json_.extensions_used.end(), extension) !=
+         json_.extensions_used.end();
 }
 
 std::span<const std::byte> GltfDocument::ViewBytes(int buffer_view) const {
@@ -185,8 +194,8 @@ void GltfDocument::Warn(std::string message) {
 }
 
 Result<void> GltfDocument::Spend(std::uint64_t bytes) {
-  if (bytes > kMaxDecodedBytes - spent_bytes_) {
-    return Bad(fmt::format("the scene's arrays need more than {} GiB", kMaxDecodedBytes >> 30));
+  if (bytes > max_spent_bytes_ - std::min(spent_bytes_, max_spent_bytes_)) {
+    return Bad(fmt::format("the arrays of a scene of this size may not take more than {} MiB", max_spent_bytes_ >> 20));
   }
   spent_bytes_ += bytes;
   return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A glTF file in memory: its JSON as tinygltf's model, its buffers and images as bytes. Every index of the JSON is in range
-// and every buffer view lies in its buffer; accessors are checked when they are read (gltf_accessor.h).
+// A glTF file in memory: its JSON as tinygltf's model, its buffers and images as bytes. Every index of the JSON is in
+// range and every buffer view lies in its buffer; accessors are checked when they are read (gltf_accessor.h).
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ class Model;
 namespace burin::scene {
 
 struct GltfBuffer {
-  std::vector<std::byte> owned;            ///< empty when the bytes are the GLB's own
+  std::vector<std::byte> owned;  ///< empty when the bytes are the GLB's own
   std::span<const std::byte> bytes;
 };
 
@@ -43,8 +43,12 @@ class GltfDocument {
   void Warn(std::string message);
   [[nodiscard]] std::vector<std::string> TakeWarnings() { return std::move(warnings_); }
 
-  /// Counts memory that reading takes, so that a small file cannot ask for all of it by naming one accessor many times.
+  /// Counts the memory that decoded arrays take, so that a small file cannot ask for all of it by naming one accessor
+  /// many times: the limit grows with the size of the file and its buffers.
   [[nodiscard]] Result<void> Spend(std::uint64_t bytes);
+  [[nodiscard]] std::uint64_t spent_bytes() const { return spent_bytes_; }
+  /// After arrays were dropped: what is really in use.
+  void SetSpent(std::uint64_t bytes) { spent_bytes_ = bytes; }
 
  private:
   explicit GltfDocument(const std::string& path);
@@ -60,6 +64,7 @@ class GltfDocument {
   std::unique_ptr<tinygltf::Model> model_;
   std::vector<std::string> warnings_;
   std::uint64_t spent_bytes_ = 0;
+  std::uint64_t max_spent_bytes_ = 0;
 };
 
 }  // namespace burin::scene

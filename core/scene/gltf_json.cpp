@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 constexpr int kMaxDepth = 128;
 // A DOM needs some 50 bytes a value: this bounds it to about a gigabyte.
 constexpr std::size_t kMaxValues = 20'000'000;
-constexpr double kMaxInteger = 9007199254740992.0;   // 2^53, exact in a double
+constexpr double kMaxInteger = 9007199254740992.0;  // 2^53, exact in a double
 
 Result<void> ScanNesting(std::string_view text) {
   int depth = 0;
@@ -27,12 +27,15 @@ Result<void> ScanNesting(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string) {
-      if (c == '\\') ++i;
-      else if (c == '"') in_string = false;
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        in_string = false;
     } else if (c == '"') {
       in_string = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kMaxDepth) return Fail(ErrorKind::kInput, fmt::format("JSON nests deeper than {} levels", kMaxDepth));
+      if (++depth > kMaxDepth)
+        return Fail(ErrorKind::kInput, fmt::format("JSON nests deeper than {} levels", kMaxDepth));
       ++values;
     } else if (c == '}' || c == ']') {
       --depth;
@@ -72,7 +75,8 @@ class SchemaCheck {
   explicit SchemaCheck(Json& root) : root_(root) {}
 
   Result<void> Run() {
-    if (!root_.is_object()) return Fail(ErrorKind::kInput, fmt::format("expected a JSON object, found {}", Show(root_)));
+    if (!root_.is_object())
+      return Fail(ErrorKind::kInput, fmt::format("expected a JSON object, found {}", Show(root_)));
     return CheckObject(root_, "root");
   }
 
@@ -118,11 +122,16 @@ class SchemaCheck {
 
   Result<void> CheckValue(Json& value, const Rule& rule) {
     switch (rule.shape) {
-      case Shape::kString: return value.is_string() ? Result<void>() : Bad("a string", value);
-      case Shape::kBoolean: return value.is_boolean() ? Result<void>() : Bad("true or false", value);
-      case Shape::kNumber: return CheckNumber(value, rule);
-      case Shape::kInteger: return CheckInteger(value, rule);
-      case Shape::kIndex: return CheckIndex(value, rule.of);
+      case Shape::kString:
+        return value.is_string() ? Result<void>() : Bad("a string", value);
+      case Shape::kBoolean:
+        return value.is_boolean() ? Result<void>() : Bad("true or false", value);
+      case Shape::kNumber:
+        return CheckNumber(value, rule);
+      case Shape::kInteger:
+        return CheckInteger(value, rule);
+      case Shape::kIndex:
+        return CheckIndex(value, rule.of);
       case Shape::kWord:
         if (value.is_string() && IsOneOf(value.get_ref<const std::string&>(), rule.of)) return {};
         return Bad("one of " + Alternatives(rule.of), value);
@@ -130,9 +139,12 @@ class SchemaCheck {
         NormaliseInteger(value);
         if (value.is_number_unsigned() && IsOneOf(std::to_string(value.get<std::uint64_t>()), rule.of)) return {};
         return Bad("one of " + Alternatives(rule.of), value);
-      case Shape::kObject: return value.is_object() ? CheckObject(value, rule.of) : Bad("an object", value);
-      case Shape::kAccessorMap: return CheckAccessorMap(value);
-      default: return CheckArray(value, rule);
+      case Shape::kObject:
+        return value.is_object() ? CheckObject(value, rule.of) : Bad("an object", value);
+      case Shape::kAccessorMap:
+        return CheckAccessorMap(value);
+      default:
+        return CheckArray(value, rule);
     }
   }
 
@@ -145,11 +157,16 @@ class SchemaCheck {
       Json& item = value[i];
       auto ok = At(fmt::format("[{}]", i), [&]() -> Result<void> {
         switch (rule.shape) {
-          case Shape::kStrings: return item.is_string() ? Result<void>() : Bad("a string", item);
-          case Shape::kNumbers: return CheckNumber(item, rule);
-          case Shape::kIndices: return CheckIndex(item, rule.of);
-          case Shape::kAccessorMaps: return CheckAccessorMap(item);
-          default: return item.is_object() ? CheckObject(item, rule.of) : Bad("an object", item);
+          case Shape::kStrings:
+            return item.is_string() ? Result<void>() : Bad("a string", item);
+          case Shape::kNumbers:
+            return CheckNumber(item, rule);
+          case Shape::kIndices:
+            return CheckIndex(item, rule.of);
+          case Shape::kAccessorMaps:
+            return CheckAccessorMap(item);
+          default:
+            return item.is_object() ? CheckObject(item, rule.of) : Bad("an object", item);
         }
       });
       if (!ok) return ok;
@@ -173,7 +190,8 @@ class SchemaCheck {
 
   Result<void> CheckRange(double number, const Json& value, const Rule& rule) const {
     if (number < rule.min) {
-      return rule.min == kPositive ? Bad("a number greater than 0", value) : Bad(fmt::format("at least {}", rule.min), value);
+      return rule.min == kPositive ? Bad("a number greater than 0", value)
+                                   : Bad(fmt::format("at least {}", rule.min), value);
     }
     if (number > rule.max) return Bad(fmt::format("at most {}", rule.max), value);
     return {};
@@ -200,7 +218,8 @@ class SchemaCheck {
   static void NormaliseInteger(Json& value) {
     if (!value.is_number_float()) return;
     const double number = value.get<double>();
-    if (number >= 0 && number <= kMaxInteger && number == std::floor(number)) value = static_cast<std::uint64_t>(number);
+    if (number >= 0 && number <= kMaxInteger && number == std::floor(number))
+      value = static_cast<std::uint64_t>(number);
   }
 
   std::size_t CollectionSize(std::string_view name) const {
@@ -238,7 +257,8 @@ Result<void> CheckStrides(const Json& root) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto stride = views[i].value("byteStride", std::uint64_t{4});
     if (stride % 4 != 0) {
-      return Fail(ErrorKind::kInput, fmt::format("bufferViews[{}].byteStride: expected a multiple of 4, found {}", i, stride));
+      return Fail(ErrorKind::kInput,
+                  fmt::format("bufferViews[{}].byteStride: expected a multiple of 4, found {}", i, stride));
     }
   }
   return {};
@@ -264,7 +284,8 @@ Result<void> CheckCamerasAndLights(const Json& root) {
   return CheckKinds(root[lights], "extensions.KHR_lights_punctual.lights", {"spot"});
 }
 
-/// Compressed vertices stand in an extension, and the accessors have no bytes. (An uncompressed copy may stand beside them.)
+/// Compressed vertices stand in an extension, and the accessors have no bytes. (An uncompressed copy may stand beside
+/// them.)
 Result<void> CheckCompression(const Json& root) {
   if (!root.contains("meshes")) return {};
   for (std::size_t m = 0; m < root["meshes"].size(); ++m) {
@@ -274,9 +295,11 @@ Result<void> CheckCompression(const Json& root) {
       if (!primitives[p].contains("extensions") || !attributes.contains("POSITION")) continue;
       if (!primitives[p]["extensions"].contains("KHR_draco_mesh_compression")) continue;
       if (root["accessors"][attributes["POSITION"].get<std::size_t>()].contains("bufferView")) continue;
-      return Fail(ErrorKind::kInput,
-                  fmt::format("meshes[{}].primitives[{}]: needs the extension KHR_draco_mesh_compression, which is not supported",
-                              m, p));
+      return Fail(
+          ErrorKind::kInput,
+          fmt::format(
+              "meshes[{}].primitives[{}]: needs the extension KHR_draco_mesh_compression, which is not supported", m,
+              p));
     }
   }
   return {};
@@ -323,7 +346,7 @@ std::vector<std::string> Strings(const Json& root, const char* name) {
 Result<GltfJson> Split(std::string_view text) {
   Json document = Json::parse(text);
   if (auto ok = SchemaCheck(document).Run(); !ok) return std::unexpected(ok.error());
-  const Json& root = document;   // const: [] of a missing key must not make one
+  const Json& root = document;  // const: [] of a missing key must not make one
   if (auto ok = CheckVersion(root["asset"]); !ok) return std::unexpected(ok.error());
   if (auto ok = CheckStrides(root); !ok) return std::unexpected(ok.error());
   if (auto ok = CheckCamerasAndLights(root); !ok) return std::unexpected(ok.error());
@@ -346,7 +369,8 @@ Result<GltfJson> ParseGltfJson(std::string_view text) {
   try {
     return Split(text);
   } catch (const Json::exception& exception) {
-    std::string_view what = exception.what();   // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    std::string_view what =
+        exception.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     if (const std::size_t end = what.find("] "); end != std::string_view::npos) what.remove_prefix(end + 2);
     return Fail(ErrorKind::kInput, fmt::format("not valid JSON: {}", what));
   }

@@ -31,10 +31,11 @@ struct GltfJson {
   std::vector<ImageEntry> images;
   std::vector<std::string> extensions_used;
   std::vector<std::string> extensions_required;
-  std::string rest;   ///< the document without buffers and images, types and indices checked
+  std::string rest;  ///< the document without buffers and images, types and indices checked
 };
 
-/// Checks types, ranges, required properties and every index of the document. Messages name the object by its JSON path.
+/// Checks types, ranges, required properties and every index of the document. Messages name the object by its JSON
+/// path.
 [[nodiscard]] Result<GltfJson> ParseGltfJson(std::string_view text);
 
 }  // namespace burin::scene

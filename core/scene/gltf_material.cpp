@@ -12,9 +12,12 @@ namespace {
 
 Wrap WrapOf(int code) {
   switch (code) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return Wrap::kClampToEdge;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return Wrap::kMirroredRepeat;
-    default: return Wrap::kRepeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::kClampToEdge;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::kMirroredRepeat;
+    default:
+      return Wrap::kRepeat;
   }
 }
 
@@ -47,14 +50,16 @@ glm::vec2 Pair(const tinygltf::Value& object, const char* name, glm::vec2 otherw
   return {static_cast<float>(value.Get(0).GetNumberAsDouble()), static_cast<float>(value.Get(1).GetNumberAsDouble())};
 }
 
-/// KHR_texture_transform: translation * rotation * scale. The rotation is counter-clockwise as the image is seen, v down.
+/// KHR_texture_transform: translation * rotation * scale. The rotation is counter-clockwise as the image is seen, v
+/// down.
 glm::mat3 UvTransform(const tinygltf::Value& extension) {
   const glm::vec2 offset = Pair(extension, "offset", glm::vec2(0.0f));
   const glm::vec2 scale = Pair(extension, "scale", glm::vec2(1.0f));
   const float rotation_rad = Number(extension, "rotation", 0.0f);
   const float c = std::cos(rotation_rad);
   const float s = std::sin(rotation_rad);
-  return {glm::vec3(c * scale.x, -s * scale.x, 0.0f), glm::vec3(s * scale.y, c * scale.y, 0.0f), glm::vec3(offset, 1.0f)};
+  return {glm::vec3(c * scale.x, -s * scale.x, 0.0f), glm::vec3(s * scale.y, c * scale.y, 0.0f),
+          glm::vec3(offset, 1.0f)};
 }
 
 class MaterialReader {
@@ -72,7 +77,8 @@ class MaterialReader {
     material.base_color_texture = Use(pbr.baseColorTexture, "pbrMetallicRoughness.baseColorTexture");
     material.metallic = std::clamp(static_cast<float>(pbr.metallicFactor), 0.0f, 1.0f);
     material.roughness = std::clamp(static_cast<float>(pbr.roughnessFactor), 0.0f, 1.0f);
-    material.metallic_roughness_texture = Use(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
+    material.metallic_roughness_texture =
+        Use(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
     material.normal_texture = Use(source.normalTexture, "normalTexture");
     material.normal_scale = static_cast<float>(source.normalTexture.scale);
     material.occlusion_texture = Use(source.occlusionTexture, "occlusionTexture");
@@ -107,7 +113,8 @@ class MaterialReader {
     if (info.index < 0) return use;
     const tinygltf::Texture& texture = document_.model().textures[static_cast<std::size_t>(info.index)];
     if (texture.source < 0) {
-      document_.Warn(fmt::format("{}.{}: texture {} has no image that can be read; it is ignored", where_, slot, info.index));
+      document_.Warn(
+          fmt::format("{}.{}: texture {} has no image that can be read; it is ignored", where_, slot, info.index));
       return use;
     }
     use.image = texture.source;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -19,8 +20,8 @@ std::unexpected<Error> Bad(const std::string& where, const std::string& what) {
 }
 
 /// The file's indices, or 0..n-1 without.
-Result<std::vector<std::uint32_t>> ReadIndices(GltfDocument& document, const tinygltf::Primitive& source, std::size_t vertices,
-                                               const std::string& where) {
+Result<std::vector<std::uint32_t>> ReadIndices(GltfDocument& document, const tinygltf::Primitive& source,
+                                               std::size_t vertices, const std::string& where) {
   if (source.indices < 0) {
     std::vector<std::uint32_t> indices(vertices);
     std::iota(indices.begin(), indices.end(), 0u);
@@ -30,8 +31,8 @@ Result<std::vector<std::uint32_t>> ReadIndices(GltfDocument& document, const tin
   if (!indices) return Bad(where + ".indices", indices.error().message);
   for (std::size_t i = 0; i < indices->size(); ++i) {
     if ((*indices)[i] < vertices) continue;
-    return Bad(where + ".indices", fmt::format("accessor {}: element {} is {}, but there are {} vertices", source.indices, i,
-                                               (*indices)[i], vertices));
+    return Bad(where + ".indices", fmt::format("accessor {}: element {} is {}, but there are {} vertices",
+                                               source.indices, i, (*indices)[i], vertices));
   }
   return indices;
 }
@@ -68,7 +69,8 @@ Result<void> CheckNormals(Primitive& primitive, const std::string& where) {
 }
 
 bool WantsTangents(const Primitive& primitive, const std::vector<Material>& materials) {
-  if (primitive.mode != PrimitiveMode::kTriangles || primitive.material == kNone || !primitive.tangents.empty()) return false;
+  if (primitive.mode != PrimitiveMode::kTriangles || primitive.material == kNone || !primitive.tangents.empty())
+    return false;
   const Material& material = materials[static_cast<std::size_t>(primitive.material)];
   if (!material.normal_texture || material.unlit) return false;
   return !primitive.texcoords[static_cast<std::size_t>(material.normal_texture.texcoord)].empty();
@@ -84,8 +86,20 @@ void FinishTriangles(Primitive& primitive, const std::vector<Material>& material
   }
 }
 
+std::uint64_t BytesOf(const Primitive& p) {
+  std::uint64_t floats = 3 * (p.positions.size() + p.normals.size()) + 4 * (p.tangents.size() + p.colors.size());
+  for (std::size_t set = 0; set < 2; ++set) {
+    floats += 2 * (p.texcoords[set].size() + p.joints[set].size()) + 4 * p.weights[set].size();
+  }
+  for (const Primitive::MorphTarget& target : p.targets) {
+    floats += 3 * (target.positions.size() + target.normals.size() + target.tangents.size());
+  }
+  return sizeof(float) * (floats + p.indices.size());
+}
+
 Result<Primitive> ReadPrimitive(GltfDocument& document, const tinygltf::Primitive& source, const std::string& where,
                                 const std::vector<Material>& materials) {
+  const std::uint64_t spent_before = document.spent_bytes();
   auto primitive = ReadAttributes(document, source, where);
   if (!primitive) return primitive;
   auto indices = ReadIndices(document, source, primitive->positions.size(), where);
@@ -93,21 +107,22 @@ Result<Primitive> ReadPrimitive(GltfDocument& document, const tinygltf::Primitiv
   const int mode = source.mode;
   WarnOfLeftovers(document, where, mode, indices->size());
   primitive->material = source.material;
-  primitive->mode = mode == 0  ? PrimitiveMode::kPoints
-                    : mode < 4 ? PrimitiveMode::kLines
-                               : PrimitiveMode::kTriangles;
-  // Strips and fans grow up to threefold, and flat normals give each corner a vertex of its own.
+  primitive->mode = mode == 0 ? PrimitiveMode::kPoints : mode < 4 ? PrimitiveMode::kLines : PrimitiveMode::kTriangles;
+  // Strips and fans grow up to threefold.
   if (auto ok = document.Spend(3 * indices->size() * sizeof(std::uint32_t)); !ok) return Bad(where, ok.error().message);
   primitive->indices = IndexList(std::move(*indices), mode);
   if (auto ok = CheckNormals(*primitive, where); !ok) return std::unexpected(ok.error());
   DropUnusedVertices(*primitive);
   if (primitive->mode == PrimitiveMode::kTriangles) {
-    if (primitive->normals.empty()) {
-      const std::size_t vertex_bytes = 64 + 24 * primitive->targets.size();
-      if (auto ok = document.Spend(vertex_bytes * primitive->indices.size()); !ok) return Bad(where, ok.error().message);
+    if (primitive->normals.empty()) {  // flat ones give each corner a vertex of its own
+      const std::uint64_t vertex_bytes =
+          BytesOf(*primitive) / std::max<std::size_t>(primitive->positions.size(), 1) + 12;
+      if (auto ok = document.Spend(vertex_bytes * primitive->indices.size()); !ok)
+        return Bad(where, ok.error().message);
     }
     FinishTriangles(*primitive, materials);
   }
+  document.SetSpent(spent_before + BytesOf(*primitive));
   return primitive;
 }
 

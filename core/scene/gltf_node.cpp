@@ -62,7 +62,8 @@ Result<void> LinkParents(std::vector<Node>& nodes) {
     for (const int child : nodes[i].children) {
       int& parent = nodes[static_cast<std::size_t>(child)].parent;
       if (parent != kNone) {
-        return Bad(fmt::format("nodes[{}]: is a child of both nodes[{}] and nodes[{}]; a node has one parent", child, parent, i));
+        return Bad(fmt::format("nodes[{}]: is a child of both nodes[{}] and nodes[{}]; a node has one parent", child,
+                               parent, i));
       }
       parent = static_cast<int>(i);
     }
@@ -146,8 +147,9 @@ Result<Light> ReadLight(const tinygltf::Light& source, std::size_t index) {
   light.inner_cone_rad = F(source.spot.innerConeAngle);
   light.outer_cone_rad = F(source.spot.outerConeAngle);
   if (light.type == LightType::kSpot && !(light.inner_cone_rad < light.outer_cone_rad)) {
-    return Bad(fmt::format("extensions.KHR_lights_punctual.lights[{}].spot: innerConeAngle {} is not below outerConeAngle {}",
-                           index, light.inner_cone_rad, light.outer_cone_rad));
+    return Bad(
+        fmt::format("extensions.KHR_lights_punctual.lights[{}].spot: innerConeAngle {} is not below outerConeAngle {}",
+                    index, light.inner_cone_rad, light.outer_cone_rad));
   }
   return light;
 }

@@ -7,7 +7,8 @@
 
 namespace burin::scene {
 
-/// Nodes, the roots of the shown scene, cameras and lights, into `scene`. Refuses cycles and nodes with several parents.
+/// Nodes, the roots of the shown scene, cameras and lights, into `scene`. Refuses cycles and nodes with several
+/// parents.
 [[nodiscard]] Result<void> ReadNodes(GltfDocument& document, Scene& scene);
 
 /// Skins, after nodes and meshes: checks that every mesh drawn with a skin names only its joints.

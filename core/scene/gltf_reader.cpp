@@ -19,7 +19,8 @@ Result<void> CheckNodeWeights(const Scene& scene) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (node.weights.empty()) continue;
-    const std::size_t targets = node.mesh == kNone ? 0 : scene.meshes[static_cast<std::size_t>(node.mesh)].weights.size();
+    const std::size_t targets =
+        node.mesh == kNone ? 0 : scene.meshes[static_cast<std::size_t>(node.mesh)].weights.size();
     if (node.weights.size() == targets) continue;
     return Fail(ErrorKind::kInput,
                 fmt::format("nodes[{}].weights: {} weights for {} morph targets", i, node.weights.size(), targets));

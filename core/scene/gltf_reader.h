@@ -18,8 +18,8 @@ struct GltfOptions {
   ImageDecoder decode_image;            ///< null: images stay empty (`burin info`, tests)
 };
 
-/// Reads .gltf or .glb. Nothing outside the file's own folder is opened; accessors, indices, node hierarchy and sizes are
-/// checked before use. Errors: kInput, naming the file and the object ("Cube.gltf: accessors[3]: ...").
+/// Reads .gltf or .glb. Nothing outside the file's own folder is opened; accessors, indices, node hierarchy and sizes
+/// are checked before use. Errors: kInput, naming the file and the object ("Cube.gltf: accessors[3]: ...").
 [[nodiscard]] Result<Scene> ReadGltf(const std::string& path, const GltfOptions& options);
 
 }  // namespace burin::scene

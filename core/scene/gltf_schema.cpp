@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/gltf_schema.h"
 
-// Source: Khronos glTF 2.0 specification (ISO/IEC 12113:2022), section 5 "Properties Reference", and the KHR extensions of the
-// same names. Looser than the schema where readers agree to be: empty arrays are let through, and factors outside 0..1 are
-// clamped where they are used.
+// Source: Khronos glTF 2.0 specification (ISO/IEC 12113:2022), section 5 "Properties Reference", and the KHR extensions
+// of the same names. Looser than the schema where readers agree to be: empty arrays are let through, and factors
+// outside 0..1 are clamped where they are used.
 
 #include <array>
 #include <utility>
@@ -48,7 +48,7 @@ constexpr Rule kAccessor[] = {
     {"max", kNumbers},
     {"sparse", kObject, false, "sparse"},
 };
-constexpr double kIntMax = std::numeric_limits<int>::max();   // tinygltf keeps these as int
+constexpr double kIntMax = std::numeric_limits<int>::max();  // tinygltf keeps these as int
 constexpr Rule kSparse[] = {{"count", kInteger, kRequired, {}, 1, kIntMax},
                             {"indices", kObject, kRequired, "sparseIndices"},
                             {"values", kObject, kRequired, "sparseValues"}};
@@ -60,7 +60,8 @@ constexpr Rule kSparseValues[] = {{"bufferView", kIndex, kRequired, "bufferViews
 constexpr Rule kAnimation[] = {{"name", kString},
                                {"channels", kObjects, kRequired, "channel"},
                                {"samplers", kObjects, kRequired, "animationSampler"}};
-constexpr Rule kChannel[] = {{"sampler", kInteger, kRequired, {}, 0, kIntMax}, {"target", kObject, kRequired, "target"}};
+constexpr Rule kChannel[] = {{"sampler", kInteger, kRequired, {}, 0, kIntMax},
+                             {"target", kObject, kRequired, "target"}};
 constexpr Rule kTarget[] = {{"node", kIndex, false, "nodes"}, {"path", kString, kRequired}};
 constexpr Rule kAnimationSampler[] = {{"input", kIndex, kRequired, "accessors"},
                                       {"interpolation", kWord, false, "LINEAR|STEP|CUBICSPLINE"},
@@ -102,12 +103,10 @@ constexpr Rule kPbr[] = {{"baseColorFactor", kNumbers, false, {}, -kInfinity, kI
                          {"metallicRoughnessTexture", kObject, false, "textureInfo"}};
 constexpr Rule kTextureInfo[] = {{"index", kIndex, kRequired, "textures"},
                                  {"texCoord", kInteger, false, {}, 0, kIntMax}};
-constexpr Rule kNormalTextureInfo[] = {{"index", kIndex, kRequired, "textures"},
-                                       {"texCoord", kInteger, false, {}, 0, kIntMax},
-                                       {"scale", kNumber}};
-constexpr Rule kOcclusionTextureInfo[] = {{"index", kIndex, kRequired, "textures"},
-                                          {"texCoord", kInteger, false, {}, 0, kIntMax},
-                                          {"strength", kNumber}};
+constexpr Rule kNormalTextureInfo[] = {
+    {"index", kIndex, kRequired, "textures"}, {"texCoord", kInteger, false, {}, 0, kIntMax}, {"scale", kNumber}};
+constexpr Rule kOcclusionTextureInfo[] = {
+    {"index", kIndex, kRequired, "textures"}, {"texCoord", kInteger, false, {}, 0, kIntMax}, {"strength", kNumber}};
 constexpr Rule kMesh[] = {{"name", kString}, {"primitives", kObjects, kRequired, "primitive"}, {"weights", kNumbers}};
 constexpr Rule kPrimitive[] = {{"attributes", kAccessorMap, kRequired},
                                {"indices", kIndex, false, "accessors"},
@@ -134,7 +133,8 @@ constexpr Rule kSkin[] = {{"name", kString},
                           {"inverseBindMatrices", kIndex, false, "accessors"},
                           {"skeleton", kIndex, false, "nodes"},
                           {"joints", kIndices, kRequired, "nodes"}};
-constexpr Rule kTexture[] = {{"name", kString}, {"sampler", kIndex, false, "samplers"}, {"source", kIndex, false, "images"}};
+constexpr Rule kTexture[] = {
+    {"name", kString}, {"sampler", kIndex, false, "samplers"}, {"source", kIndex, false, "images"}};
 
 // The root's object has `lights`, a node's has `light`.
 constexpr Rule kLightsPunctual[] = {{"lights", kObjects, false, "light"}, {"light", kIndex, false, "lights"}};

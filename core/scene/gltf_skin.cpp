@@ -71,11 +71,13 @@ Result<void> ReadSkins(GltfDocument& document, Scene& scene) {
     const std::size_t joints = scene.skins[static_cast<std::size_t>(node.skin)].joints.size();
     for (std::size_t p = 0; p < of_mesh.size(); ++p) {
       if (of_mesh[p].joint < 0) {
-        document.Warn(fmt::format("nodes[{}]: has a skin, but meshes[{}] has primitives without JOINTS_0", n, node.mesh));
+        document.Warn(
+            fmt::format("nodes[{}]: has a skin, but meshes[{}] has primitives without JOINTS_0", n, node.mesh));
       }
       if (of_mesh[p].joint >= static_cast<int>(joints)) {
-        return Bad(fmt::format("nodes[{}]: skin {} has {} joints, but meshes[{}].primitives[{}].attributes.JOINTS_{} names joint {}",
-                               n, node.skin, joints, node.mesh, p, of_mesh[p].set, of_mesh[p].joint));
+        return Bad(fmt::format(
+            "nodes[{}]: skin {} has {} joints, but meshes[{}].primitives[{}].attributes.JOINTS_{} names joint {}", n,
+            node.skin, joints, node.mesh, p, of_mesh[p].set, of_mesh[p].joint));
       }
     }
   }

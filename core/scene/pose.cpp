@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "core/scene/animation_sampler.h"
 
@@ -63,9 +63,15 @@ void ApplyChannel(const AnimationChannel& channel, float time_s, std::vector<Tra
   SampleChannel(channel, time_s, std::span<float>(v, static_cast<std::size_t>(channel.components)));
   Transform& transform = transforms[node];
   switch (channel.path) {
-    case AnimationPath::kTranslation: transform.translation = {v[0], v[1], v[2]}; break;
-    case AnimationPath::kRotation: transform.rotation = glm::quat(v[3], v[0], v[1], v[2]); break;
-    default: transform.scale = {v[0], v[1], v[2]}; break;
+    case AnimationPath::kTranslation:
+      transform.translation = {v[0], v[1], v[2]};
+      break;
+    case AnimationPath::kRotation:
+      transform.rotation = glm::quat(v[3], v[0], v[1], v[2]);
+      break;
+    default:
+      transform.scale = {v[0], v[1], v[2]};
+      break;
   }
 }
 

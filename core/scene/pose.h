@@ -13,9 +13,9 @@ namespace burin::scene {
 /// Which animations play. Indices in Scene::animations.
 using AnimationSelection = std::vector<int>;
 
-/// "auto" or "": every animation whose targets (node and property) no earlier one of the selection moves; "all" (where two
-/// move one target, the later wins), "none", a name or an index; a name goes before an index. kUsage otherwise, naming what
-/// there is.
+/// "auto" or "": every animation whose targets (node and property) no earlier one of the selection moves; "all" (where
+/// two move one target, the later wins), "none", a name or an index; a name goes before an index. kUsage otherwise,
+/// naming what there is.
 [[nodiscard]] Result<AnimationSelection> SelectAnimations(const Scene& scene, const std::string& choice);
 
 /// The longest duration of the selection, seconds; 0 when nothing moves.
@@ -26,16 +26,17 @@ struct Pose {
   std::vector<std::vector<float>> weights;       ///< one a node with a morphed mesh; else empty
 };
 
-/// `time_s` is taken modulo each animation's duration (loops): at its duration an animation is back at 0. Negative times are 0.
+/// `time_s` is taken modulo each animation's duration (loops): at its duration an animation is back at 0. Negative
+/// times are 0.
 [[nodiscard]] Pose EvaluatePose(const Scene& scene, const AnimationSelection& selection, double time_s);
 
-/// Vertices of a primitive after morph and skin, at this frame and at the previous one. Arrays as long as the primitive's;
-/// `normals`/`tangents` empty where the primitive has none, else of unit length.
+/// Vertices of a primitive after morph and skin, at this frame and at the previous one. Arrays as long as the
+/// primitive's; `normals`/`tangents` empty where the primitive has none, else of unit length.
 ///
-/// Space: a skinned primitive's vertices (morphed first) are in world space, and its item's two matrices are the identity,
-/// as a skin ignores its node's own transform. A primitive with morph targets only stays in object space, and its item's
-/// matrices are its node's. So in every case world = world_from_object * positions[i] and
-/// previous world = previous_world_from_object * (is_deformed ? previous_positions[i] : positions[i]).
+/// Space: a skinned primitive's vertices (morphed first) are in world space, and its item's two matrices are the
+/// identity, as a skin ignores its node's own transform. A primitive with morph targets only stays in object space, and
+/// its item's matrices are its node's. So in every case world = world_from_object * positions[i] and previous world =
+/// previous_world_from_object * (is_deformed ? previous_positions[i] : positions[i]).
 struct DeformedVertices {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> previous_positions;

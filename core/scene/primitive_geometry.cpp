@@ -48,13 +48,22 @@ std::vector<std::uint32_t> FanTriangles(const std::vector<std::uint32_t>& in) {
 
 std::vector<std::uint32_t> IndexList(std::vector<std::uint32_t> indices, int gltf_mode) {
   switch (gltf_mode) {
-    case 0: return indices;
-    case 1: indices.resize(indices.size() / 2 * 2); return indices;
-    case 2: return Lines(indices, true);
-    case 3: return Lines(indices, false);
-    case 5: return StripTriangles(indices);
-    case 6: return FanTriangles(indices);
-    default: indices.resize(indices.size() / 3 * 3); return indices;
+    case 0:
+      return indices;
+    case 1:
+      indices.resize(indices.size() / 2 * 2);
+      return indices;
+    case 2:
+      return Lines(indices, true);
+    case 3:
+      return Lines(indices, false);
+    case 5:
+      return StripTriangles(indices);
+    case 6:
+      return FanTriangles(indices);
+    default:
+      indices.resize(indices.size() / 3 * 3);
+      return indices;
   }
 }
 

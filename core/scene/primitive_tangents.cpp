@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tangents after MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008): each triangle's tangent is the
-// direction of growing u, projected on the vertex' normal plane, summed by the triangle's angle there, apart for each
-// handedness. Deviation: vertices are kept as the file shares them, not welded by position first, so a seam in the file
-// stays a seam of the tangents.
+// Tangents after MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008): each triangle's tangent
+// is the direction of growing u, projected on the vertex' normal plane, summed by the triangle's angle there, apart for
+// each handedness. Deviation: vertices are kept as the file shares them, not welded by position first, so a seam in the
+// file stays a seam of the tangents.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,8 @@
 namespace burin::scene {
 namespace {
 
-/// The direction of growing u over a triangle, and whether (u, v) turn clockwise where the corners turn counter-clockwise.
+/// The direction of growing u over a triangle, and whether (u, v) turn clockwise where the corners turn
+/// counter-clockwise.
 struct TextureFrame {
   glm::vec3 tangent{0.0f};
   bool turns_against = false;
@@ -94,8 +95,8 @@ void MakeTangents(Primitive& primitive, int set) {
       if (!(length > 0.0f)) continue;
       glm::vec4& sum = tangents[triangle[corner]];
       sum += glm::vec4(projected * (AngleAt(primitive, triangle, corner) / length), 0.0f);
-      // A normal map's green axis points up in the image, where glTF's v falls: a triangle whose (u, v) turn against the
-      // surface is the ordinary case, with bitangent = +cross(n, t).
+      // A normal map's green axis points up in the image, where glTF's v falls: a triangle whose (u, v) turn against
+      // the surface is the ordinary case, with bitangent = +cross(n, t).
       sum.w = frames[t].turns_against ? 1.0f : -1.0f;
     }
   }

@@ -23,8 +23,8 @@ inline constexpr int kNone = -1;
 
 enum class PrimitiveMode : std::uint8_t { kPoints, kLines, kTriangles };
 
-/// One drawable piece of a mesh. Strips, fans and loops are turned into lists when read; without indices in the file the
-/// indices are 0..n-1. Every array is empty or has one entry a vertex.
+/// One drawable piece of a mesh. Strips, fans and loops are turned into lists when read; without indices in the file
+/// the indices are 0..n-1. Every array is empty or has one entry a vertex.
 struct Primitive {
   PrimitiveMode mode = PrimitiveMode::kTriangles;
   std::vector<glm::vec3> positions;
@@ -37,7 +37,8 @@ struct Primitive {
   std::array<std::vector<glm::vec4>, 2> weights;
   std::vector<std::uint32_t> indices;   ///< 2 a line, 3 a triangle, 1 a point; all < positions.size()
   int material = kNone;                 ///< kNone: the default material
-  bool flat_normals = false;            ///< made: every triangle has its own vertices and its plane's normal (also when deformed)
+  /// Normals were made: each triangle has vertices of its own and its plane's normal, also when deformed.
+  bool flat_normals = false;
   struct MorphTarget {
     std::vector<glm::vec3> positions, normals, tangents;   ///< displacements; empty or one a vertex
   };

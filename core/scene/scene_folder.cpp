@@ -37,9 +37,8 @@ std::unexpected<Error> Bad(std::string message) { return Fail(ErrorKind::kInput,
 bool HasScheme(std::string_view uri) {
   const std::size_t colon = uri.find(':');
   if (colon == std::string_view::npos || colon == 0) return false;
-  return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
-  });
+  return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.'; });
 }
 
 int HexDigit(char c) {
@@ -106,7 +105,7 @@ Result<std::string> SceneFolder::Resolve(std::string_view uri) const {
   if (HasScheme(uri)) return Bad("is a URL; only files in the scene's folder are read");
   auto decoded = PercentDecode(uri);
   if (!decoded) return std::unexpected(decoded.error());
-  std::replace(decoded->begin(), decoded->end(), '\\', '/');   // some Windows exporters leave them in
+  std::replace(decoded->begin(), decoded->end(), '\\', '/');  // some Windows exporters leave them in
   if (decoded->empty()) return Bad("is empty");
   if (decoded->front() == '/') return Bad("is an absolute path; only files in the scene's folder are read");
   // "..": judged on the text first, so that a refusal does not tell what exists outside.

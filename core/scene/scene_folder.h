@@ -23,8 +23,8 @@ class SceneFolder {
  public:
   explicit SceneFolder(const std::string& scene_path);
 
-  /// The absolute path of the existing file that a relative URI reference names. Refuses URLs, absolute paths, and whatever
-  /// leaves the folder by "..", directly or through a symbolic link.
+  /// The absolute path of the existing file that a relative URI reference names. Refuses URLs, absolute paths, and
+  /// whatever leaves the folder by "..", directly or through a symbolic link.
   [[nodiscard]] Result<std::string> Resolve(std::string_view uri) const;
 
  private:

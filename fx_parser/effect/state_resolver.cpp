@@ -24,7 +24,8 @@ double PackColor(const std::vector<double>& color) {
 Value StateConstant(const Value& value, StateKind kind) {
   if (kind == StateKind::kColor && value.numbers.size() > 1) return Value{ScalarType(Scalar::kUint), {PackColor(value.numbers)}, {}};
   if (kind == StateKind::kFloat) return Value{ScalarType(Scalar::kFloat), {value.numbers[0]}, {}};
-  if (kind == StateKind::kColor || value.type.scalar == Scalar::kUint || value.numbers[0] > 2147483647.0) {
+  // States are DWORDs: 0xffffffff is an int literal of value -1.
+  if (kind == StateKind::kColor || value.type.scalar == Scalar::kUint || value.numbers[0] < 0) {
     return Value{ScalarType(Scalar::kUint), {RoundToScalar(value.numbers[0], Scalar::kUint)}, {}};
   }
   return IntegerValue(std::trunc(value.numbers[0]));

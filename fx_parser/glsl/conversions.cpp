@@ -30,15 +30,17 @@ std::string FunctionWriter::Sequence(const std::string& setup, const std::string
 }
 
 /// A scalar or vector held as `from` becomes one of `to`, without change of size.
-std::string FunctionWriter::ConvertScalar(const std::string& text, const Storage& from, Scalar to, Scalar) {
+std::string FunctionWriter::ConvertScalar(const std::string& text, const Storage& from, Scalar to) {
   Storage result = from;
   result.scalar = IsFloating(to) ? Scalar::kFloat : to;
   if (result == from) return text;
+  const bool is_literal = std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+  if (is_literal && result.scalar == Scalar::kFloat && result.size == 1) return text + ".0";
   return StorageText(result) + "(" + text + ")";
 }
 
 std::string FunctionWriter::FromStorage(const std::string& text, const Storage& held, const Type& type) {
-  return ConvertScalar(text, held, StorageOf(type).scalar, type.scalar);
+  return ConvertScalar(text, held, StorageOf(type).scalar);
 }
 
 /// Appends one text for each component, in HLSL's order; `text` must be simple. Returns nothing useful for other kinds.
@@ -77,7 +79,7 @@ std::string FunctionWriter::FromComponents(const Type& type, const std::vector<s
   }
   const Storage wanted = StorageOf(type);
   for (int i = 0; i < type.components(); ++i, ++next) {
-    std::string component = ConvertScalar(components[next], StorageOf(ScalarType(scalars[next])), type.scalar, scalars[next]);
+    std::string component = ConvertScalar(components[next], StorageOf(ScalarType(scalars[next])), type.scalar);
     // Matrices hold floats, so that an int or bool in one has to be made whole first.
     if (type.is_matrix && !IsFloating(type.scalar)) component = "float(" + component + ")";
     if (wanted.size == 1 && wanted.columns == 1) return component;
@@ -94,13 +96,13 @@ std::string FunctionWriter::Convert(const std::string& text, const Type& from, c
     const bool whole_matrix = (from.is_matrix || to.is_matrix) && from.scalar != to.scalar && !IsFloating(to.scalar);
     if (have == want && !whole_matrix) return text;
     if (!have.is_matrix() && !want.is_matrix() && !whole_matrix) {
-      if (have.size == want.size) return ConvertScalar(text, have, want.scalar, from.scalar);
+      if (have.size == want.size) return ConvertScalar(text, have, want.scalar);
       if (have.size == 1) return StorageText(want) + "(" + text + ")";
       const std::string letters(kLetters, static_cast<std::size_t>(want.size));
       const std::string part = (IsSimpleText(text) ? text : "(" + text + ")") + "." + letters;
       Storage cut = have;
       cut.size = want.size;
-      return ConvertScalar(part, cut, want.scalar, from.scalar);
+      return ConvertScalar(part, cut, want.scalar);
     }
     if (have.is_matrix() && want.is_matrix() && !whole_matrix) return StorageText(want) + "(" + text + ")";
   }

@@ -104,7 +104,7 @@ class FunctionWriter {
   bool ListMatches(const std::vector<ast::ExpressionPtr>& elements, const Type& type);
   void FlattenList(const std::vector<ast::ExpressionPtr>& elements, std::string& setup, std::vector<std::string>& components,
                    std::vector<Scalar>& scalars);
-  std::string ConvertScalar(const std::string& text, const Storage& from, Scalar to, Scalar meaning_from);
+  std::string ConvertScalar(const std::string& text, const Storage& from, Scalar to);
   /// `text` itself, or a temporary that `setup` then assigns it to.
   std::string Reusable(const std::string& text, const Type& type, std::string& setup);
   static std::string Sequence(const std::string& setup, const std::string& value);

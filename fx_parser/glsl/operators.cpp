@@ -172,17 +172,24 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Unary& n) 
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Binary& n) {
   using enum ast::BinaryOperator;
-  if (n.op == kComma) return "(" + Expression(*n.left) + ", " + Expression(*n.right) + ")";
+  if (n.op == kComma) {
+    const std::string left = Expression(*n.left);
+    return "(" + left + ", " + Expression(*n.right) + ")";
+  }
   if (n.op == kAnd || n.op == kOr) return Logic(n.op, n, e.type);
   const auto common = CommonType(n.left->type, n.right->type);
   if (!common) return "0";
-  if (n.op >= kLess && n.op <= kNotEqual) return Comparison(n.op, *common, ExpressionAs(*n.left, *common), ExpressionAs(*n.right, *common));
+  if (n.op >= kLess && n.op <= kNotEqual) {
+    const std::string left = ExpressionAs(*n.left, *common);
+    return Comparison(n.op, *common, left, ExpressionAs(*n.right, *common));
+  }
   bool safe = false;
   if (n.op == kDiv) {
     const auto divisor = Evaluate(*n.right);
     safe = divisor && std::ranges::none_of(divisor->numbers, [](double x) { return x == 0; });
   }
-  return Arithmetic(n.op, *common, Expression(*n.left), n.left->type, Expression(*n.right), n.right->type, safe);
+  const std::string left = Expression(*n.left);
+  return Arithmetic(n.op, *common, left, n.left->type, Expression(*n.right), n.right->type, safe);
 }
 
 std::string FunctionWriter::AnyAll(const std::string& name, const std::string& text, const Type& type) {

@@ -11,7 +11,8 @@ Diagnostic& Diagnostics::Error(const Range& range, std::string code, std::string
     return dropped_;
   }
   ++errors_;
-  return all_.emplace_back(Severity::kError, range, std::move(text), std::move(code));
+  all_.push_back({Severity::kError, range, std::move(text), std::move(code), {}});
+  return all_.back();
 }
 
 Diagnostic& Diagnostics::Warning(const Range& range, std::string code, std::string text) {
@@ -19,7 +20,8 @@ Diagnostic& Diagnostics::Warning(const Range& range, std::string code, std::stri
     dropped_ = {};
     return dropped_;
   }
-  return all_.emplace_back(Severity::kWarning, range, std::move(text), std::move(code));
+  all_.push_back({Severity::kWarning, range, std::move(text), std::move(code), {}});
+  return all_.back();
 }
 
 std::vector<Diagnostic> Diagnostics::Take() {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fx_parser/source/source.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace burin::fx {
 
 PresumedLine Presume(const SourceFile& file, std::uint32_t line) {
-  PresumedLine result{file.path, line};
-  for (const LineDirective& directive : file.line_directives) {
-    if (directive.line >= line) break;
-    if (!directive.path.empty()) result.path = directive.path;
-    result.line = directive.presumed_line + (line - directive.line - 1);
-  }
-  return result;
+  const auto after = std::ranges::lower_bound(file.line_directives, line, {}, &LineDirective::line);
+  if (after == file.line_directives.begin()) return {file.path, line};
+  const LineDirective& directive = *std::prev(after);
+  return {directive.path.empty() ? file.path : directive.path, directive.presumed_line + (line - directive.line - 1)};
 }
 
 }  // namespace burin::fx

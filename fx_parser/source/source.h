@@ -36,7 +36,7 @@ struct MacroExpansion {
   std::uint32_t parent = 0;   ///< the expansion this one stands in, as in Location::macro
 };
 
-/// `#line`: from the line after `line` on, messages show `presumed_line` and up, and `path` if it is not empty.
+/// `#line`: from the line after `line` on, messages show `presumed_line` and up, and `path` (empty: the file's own).
 struct LineDirective {
   std::uint32_t line = 0;
   std::uint32_t presumed_line = 0;   ///< of the line after the directive

@@ -59,10 +59,10 @@ ast::StatementPtr Parser::ParseFor(std::vector<std::string> attributes) {
   node.attributes = std::move(attributes);
   const std::size_t open = position_;
   if (!Expect(TokenKind::kLeftParen, "'(' after 'for'")) return nullptr;
-  PushScope();
+  names_.Push();
   const bool has_header = ParseForHeader(node) || (SkipHeader(open) && Accept(TokenKind::kRightParen));
   if (has_header) node.body = ParseStatement();
-  PopScope();
+  names_.Pop();
   if (!has_header) return nullptr;
   return MakeStatement(first, std::move(node));
 }
@@ -123,7 +123,7 @@ ast::StatementPtr Parser::ParseSwitch(std::vector<std::string> attributes) {
   if (!ParseHeader("switch", node.selector)) return nullptr;
   const Range opening = Peek().range();
   if (!Expect(TokenKind::kLeftBrace, "'{' after the selector of 'switch'")) return nullptr;
-  PushScope();
+  names_.Push();
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped() && !abandon_function_) {
     const std::size_t begin = position_;
     if (IsWord("case") || (IsWord("default") && Is(TokenKind::kColon, 1))) {
@@ -138,7 +138,7 @@ ast::StatementPtr Parser::ParseSwitch(std::vector<std::string> attributes) {
     }
     if (position_ == begin && !abandon_function_) Advance();
   }
-  PopScope();
+  names_.Pop();
   if (!abandon_function_ && !ExpectClosing(TokenKind::kRightBrace, "'}' to end the switch", opening)) return nullptr;
   return MakeStatement(first, std::move(node));
 }

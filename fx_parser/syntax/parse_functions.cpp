@@ -11,8 +11,8 @@ std::unique_ptr<ast::Function> Parser::ParseFunction(Specifiers& specifiers) {
   function->return_type_name = std::move(specifiers.type);
   function->range = Peek().range();
   function->name = Advance().text;
-  Declare(function->name, false);
-  PushScope();
+  names_.Declare(function->name, false);
+  names_.Push();
   const bool has_head = ParseParameters(*function) &&
                         ParseSemantics(function->semantic, function->semantic_range, nullptr) &&
                         (!Is(TokenKind::kLess) || ParseAnnotations(function->annotations));
@@ -27,7 +27,7 @@ std::unique_ptr<ast::Function> Parser::ParseFunction(Specifiers& specifiers) {
     ReportUnexpected("'{' or ';' after the parameters of '" + function->name + "'");
     parsed = false;
   }
-  PopScope();
+  names_.Pop();
   if (!parsed) return nullptr;
   return function;
 }
@@ -61,7 +61,7 @@ bool Parser::ParseParameter(ast::Function& function) {
   if (Is(TokenKind::kIdentifier)) {   // a prototype's, or one that is not used, may have no name
     parameter->range = Peek().range();
     parameter->name = Advance().text;
-    Declare(parameter->name, false);
+    names_.Declare(parameter->name, false);
   }
   if (!ParseArraySizes(parameter->array_sizes)) return false;
   if (!ParseSemantics(parameter->semantic, parameter->semantic_range, &parameter->registers)) return false;

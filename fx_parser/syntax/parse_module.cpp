@@ -84,7 +84,7 @@ bool Parser::ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, 
     if (!ExpectName("a name for the type", entry->name, entry->range)) return false;
     entry->type_name = CopyType(specifiers.type);
     if (!ParseArraySizes(entry->array_sizes)) return false;
-    Declare(entry->name, true);
+    names_.Declare(entry->name, true);
     typedefs.push_back(std::move(entry));
   } while (Accept(TokenKind::kComma));
   return ExpectSemicolon("typedef '" + typedefs.back()->name + "'");

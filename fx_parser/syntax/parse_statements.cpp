@@ -50,9 +50,9 @@ ast::StatementPtr Parser::ParseBlock() {
   const Range opening = Peek().range();
   if (!Expect(TokenKind::kLeftBrace, "'{'")) return nullptr;
   ast::Block block;
-  PushScope();
+  names_.Push();
   ParseBlockContents(block.statements);
-  PopScope();
+  names_.Pop();
   if (!abandon_function_ && !ExpectClosing(TokenKind::kRightBrace, "'}'", opening)) return nullptr;
   return MakeStatement(first, std::move(block));
 }

@@ -17,7 +17,7 @@ std::unique_ptr<ast::Struct> Parser::ParseStruct() {
     ReportUnexpected("'{' (a struct has no base here)");
     return nullptr;
   }
-  Declare(structure->name, true);   // before its body, so that faults in there make no others
+  names_.Declare(structure->name, true);   // before its body, so that faults in there make no others
   const Range opening = Peek().range();
   if (!Expect(TokenKind::kLeftBrace, "'{' to begin the struct")) return nullptr;
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {

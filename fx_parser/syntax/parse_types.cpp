@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 
 #include "fx_parser/syntax/builtin_types.h"
 #include "fx_parser/syntax/literal.h"
@@ -67,7 +68,7 @@ bool Parser::StartsQualifier(std::size_t ahead) const {
 bool Parser::StartsType(std::size_t ahead) const {
   const Token& token = Peek(ahead);
   if (token.kind != TokenKind::kIdentifier) return false;
-  return token.text == "struct" || token.text == "unsigned" || IsUserType(token.text) ||
+  return token.text == "struct" || token.text == "unsigned" || names_.IsType(token.text) ||
          FindBuiltinType(token.text).has_value();
 }
 
@@ -87,19 +88,8 @@ bool Parser::StartsCast() const {
   if (IsWord("unsigned", 1)) return true;
   if (!Is(TokenKind::kRightParen, 2) && !Is(TokenKind::kLeftBracket, 2)) return false;
   if (Is(TokenKind::kLeftBracket, 2) && !Is(TokenKind::kInteger, 3)) return false;
-  if (IsUserType(Peek(1).text)) return true;
+  if (names_.IsType(Peek(1).text)) return true;
   return FindBuiltinType(Peek(1).text)->kind == TypeKind::kNumeric;
-}
-
-bool Parser::IsUserType(std::string_view name) const {
-  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-    if (const auto found = scope->find(std::string(name)); found != scope->end()) return found->second;
-  }
-  return false;
-}
-
-void Parser::Declare(const std::string& name, bool is_type) {
-  if (!name.empty()) scopes_.back()[name] = is_type;
 }
 
 std::uint32_t Parser::ParseQualifiers() {
@@ -145,7 +135,7 @@ bool Parser::ParseTypeName(ast::TypeName& type, std::uint32_t qualifiers) {
     return false;
   }
   if (!ParseQualifiedName("a type", type.name, type.range)) return false;
-  if (IsUserType(type.name)) {
+  if (names_.IsType(type.name)) {
     type.type.kind = TypeKind::kStruct;
   } else if (const std::optional<Type> builtin = FindBuiltinType(type.name)) {
     type.type = *builtin;
@@ -207,13 +197,8 @@ bool Parser::ParseVectorArguments(ast::TypeName& type) {
 
 // Goes on as if the type were known: its users then stay silent.
 bool Parser::ReportUnknownType(ast::TypeName& type) {
-  std::vector<std::string> names = BuiltinTypeNames();
-  for (const auto& scope : scopes_) {
-    for (const auto& [name, is_type] : scope) {
-      if (is_type) names.push_back(name);
-    }
-  }
-  std::ranges::sort(names);   // the scopes are unordered
+  std::vector<std::string> names = names_.TypeNames();
+  std::ranges::move(BuiltinTypeNames(), std::back_inserter(names));
   std::string text = "unknown type '" + type.name + "'";
   if (const std::string near = NearestName(type.name, names); !near.empty()) text += "; did you mean '" + near + "'?";
   Report(type.range, text);
@@ -222,11 +207,8 @@ bool Parser::ReportUnknownType(ast::TypeName& type) {
 }
 
 bool Parser::DefaultRowMajor() const {
-  bool row_major = false;
-  for (const TokenStream::PackMatrix& pragma : stream_.pack_matrix) {
-    if (pragma.from <= position_) row_major = pragma.row_major;
-  }
-  return row_major;
+  const auto after = std::ranges::upper_bound(stream_.pack_matrix, position_, {}, &TokenStream::PackMatrix::from);
+  return after != stream_.pack_matrix.begin() && std::prev(after)->row_major;
 }
 
 }  // namespace burin::fx

@@ -36,7 +36,7 @@ std::unique_ptr<ast::Variable> Parser::ParseVariable(const Specifiers& specifier
   variable->type_name = CopyType(specifiers.type);
   variable->is_global = is_global;
   if (!ParseArraySizes(variable->array_sizes)) return nullptr;
-  Declare(variable->name, false);
+  names_.Declare(variable->name, false);
   if (!ParseDeclaratorTail(*variable)) return nullptr;
   return variable;
 }

@@ -10,7 +10,7 @@ namespace burin::fx {
 
 Parser::Parser(TokenStream& stream, Diagnostics& diagnostics)
     : stream_(stream), tokens_(stream.tokens), diagnostics_(diagnostics) {
-  PushScope();
+  names_.Push();
 }
 
 const Token& Parser::Peek(std::size_t ahead) const {

@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "fx_parser/source/diagnostic.h"
 #include "fx_parser/syntax/ast.h"
+#include "fx_parser/syntax/name_scopes.h"
 #include "fx_parser/syntax/token.h"
 
 namespace burin::fx {
@@ -74,10 +74,6 @@ class Parser {
   bool ParseVectorArguments(ast::TypeName& type);
   bool ReportUnknownType(ast::TypeName& type);
   [[nodiscard]] bool DefaultRowMajor() const;
-  [[nodiscard]] bool IsUserType(std::string_view name) const;
-  void Declare(const std::string& name, bool is_type);
-  void PushScope() { scopes_.emplace_back(); }
-  void PopScope() { scopes_.pop_back(); }
 
   // parse_module.cpp
   void ParseTopLevel(ast::Module& module);
@@ -207,7 +203,7 @@ class Parser {
   bool abandon_function_ = false;            // its '}' is missing: unwind to file scope
   const Token* function_brace_ = nullptr;    // the '{' of the function at hand
   std::string function_name_;
-  std::vector<std::unordered_map<std::string, bool>> scopes_;   // name -> names a type
+  NameScopes names_;
 };
 
 template <class Node>

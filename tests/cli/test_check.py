@@ -80,8 +80,13 @@ class Check(BurinTest):
     def test_binary_rubbish_is_refused(self):
         (self.folder / "e.fx").write_bytes(bytes(range(256)) * 40)
         self.assertIn("error", self.burin("check", "e.fx", status=3).stderr)
-        (self.folder / "empty.fx").write_bytes(b"")
-        self.burin("check", "empty.fx", status=3)
+
+    def test_an_effect_without_a_technique_cannot_render(self):
+        self.write("empty.fx", "float Unused;\n")
+        self.burin("check", "empty.fx")
+        result = self.burin("render", "empty.fx", "-o", "b.png", status=3)
+        self.assertIn("empty.fx: ", result.stderr)
+        self.assertIn("technique", result.stderr)
 
     def test_json_has_every_diagnostic(self):
         self.write("e.fx", "float4 A() { return nope; }\n" + identity())

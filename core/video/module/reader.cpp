@@ -146,7 +146,7 @@ Result<std::unique_ptr<VideoReader>> OpenOpencvReader(const std::string& path) {
     cv::VideoCapture capture(absolute, cv::CAP_FFMPEG);
     if (!capture.isOpened()) {
       const std::string why = TakeFfmpegError();
-      return CannotRead(path, why.empty() ? "it holds no video that ffmpeg can decode"
+      return CannotRead(path, why.empty() ? "it is damaged, or holds no video that ffmpeg can decode"
                                           : fmt::format("it is no whole video ({})", why));
     }
     auto reader = std::make_unique<OpencvReader>(path, std::move(capture), *cut_off);

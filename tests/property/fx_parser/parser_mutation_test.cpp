@@ -15,7 +15,7 @@
 namespace burin::fx {
 namespace {
 
-constexpr int kRounds = 5000;   // of each kind of damage, over all texts
+constexpr int kRounds = 2500;   // of each kind of damage, over all texts
 
 const std::vector<std::string>& Texts() {
   static const std::vector<std::string> texts{

@@ -14,7 +14,7 @@ namespace burin::scene {
 namespace {
 
 constexpr std::uint32_t kSeed = 7741;
-constexpr std::size_t kVertices = 20'000;   // several tasks of the parallel loop
+constexpr std::size_t kVertices = 20'000;  // several tasks of the parallel loop
 constexpr std::size_t kJoints = 23;
 // Eight joints, blended in float: a few roundings of coordinates below 20.
 constexpr double kTolerance = 2e-5;
@@ -72,7 +72,9 @@ class RandomRig : public ::testing::Test {
     const float y = d(random_);
     return {x, y, d(random_)};
   }
-  std::uint16_t Joint() { return static_cast<std::uint16_t>(std::uniform_int_distribution<int>(0, kJoints - 1)(random_)); }
+  std::uint16_t Joint() {
+    return static_cast<std::uint16_t>(std::uniform_int_distribution<int>(0, kJoints - 1)(random_));
+  }
 
   Scene scene_;
   std::mt19937 random_{kSeed};

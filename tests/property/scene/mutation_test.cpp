@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that were good until a seeded random change: reading and posing them must end, without a fault that the sanitizers
-// see, in a scene or in an error that names the file. (Run under .ci/run's sanitizers; here a crash or a hang is the failure.)
+// Files that were good until a seeded random change: reading and posing them must end, without a fault that the
+// sanitizers see, in a scene or in an error that names the file. (Run under .ci/run's sanitizers; here a crash or a
+// hang is the failure.)
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,8 @@ class Mutation : public ::testing::Test {
     const Pose pose = EvaluatePose(*scene, selection, 0.7);
     const std::vector<DrawItem> items = BuildDrawItems(*scene, pose, EvaluatePose(*scene, selection, 0.6));
     for (const DrawItem& item : items) {
-      const Primitive& p = scene->meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+      const Primitive& p =
+          scene->meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
       for (const std::uint32_t index : p.indices) EXPECT_LT(index, p.positions.size());
       EXPECT_TRUE(p.normals.empty() || p.normals.size() == p.positions.size());
       EXPECT_TRUE(!item.is_deformed || item.deformed.previous_positions.size() == p.positions.size());
@@ -92,13 +94,36 @@ TEST_F(Mutation, OfBytes) {
 
 /// Replaces one number of a JSON text by one that is likely to hurt.
 std::string WithOtherNumber(const std::string& text, std::size_t pick, std::size_t value) {
-  static const std::string kNumbers[] = {"-1",  "0",    "1",     "2",   "3",          "7",    "255",      "65535",      "65536",
-                                         "1.5", "1e30", "1e-30", "-0",  "2147483647", "1e99", "-1e30",    "2147483648", "4294967295",
-                                         "5121", "5123", "5125", "5126", "9007199254740991", "18446744073709551615", "16777216"};
+  static const std::string kNumbers[] = {"-1",
+                                         "0",
+                                         "1",
+                                         "2",
+                                         "3",
+                                         "7",
+                                         "255",
+                                         "65535",
+                                         "65536",
+                                         "1.5",
+                                         "1e30",
+                                         "1e-30",
+                                         "-0",
+                                         "2147483647",
+                                         "1e99",
+                                         "-1e30",
+                                         "2147483648",
+                                         "4294967295",
+                                         "5121",
+                                         "5123",
+                                         "5125",
+                                         "5126",
+                                         "9007199254740991",
+                                         "18446744073709551615",
+                                         "16777216"};
   std::vector<std::pair<std::size_t, std::size_t>> numbers;
   for (std::size_t i = 1; i < text.size(); ++i) {
-    const bool starts = (std::isdigit(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-') &&
-                        (text[i - 1] == ':' || text[i - 1] == ' ' || text[i - 1] == '[' || text[i - 1] == ',' || text[i - 1] == '\n');
+    const bool starts =
+        (std::isdigit(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-') &&
+        (text[i - 1] == ':' || text[i - 1] == ' ' || text[i - 1] == '[' || text[i - 1] == ',' || text[i - 1] == '\n');
     if (!starts) continue;
     const std::size_t end = text.find_first_not_of("0123456789.+-eE", i);
     numbers.emplace_back(i, end - i);
@@ -128,16 +153,19 @@ TEST_F(Mutation, OfJsonNumbersInTheRig) {
   std::memcpy(&length, glb.data() + 12, 4);
   const std::string json = glb.substr(20, length);
   const std::string bin = glb.substr(20 + length + 8);
-  const std::string good = std::string(json).replace(json.find("\"buffers\":[{"), 12, "\"buffers\":[{\"uri\":\"rig.bin\",");
+  const std::string good =
+      std::string(json).replace(json.find("\"buffers\":[{"), 12, "\"buffers\":[{\"uri\":\"rig.bin\",");
   std::ofstream(folder_ + "/rig.bin", std::ios::binary) << bin;
   ASSERT_TRUE(Try("r.gltf", good));
-  for (int round = 0; round < 2 * kRounds; ++round) Try("r.gltf", WithOtherNumber(good, Below(100'000), Below(100'000)));
+  for (int round = 0; round < 2 * kRounds; ++round)
+    Try("r.gltf", WithOtherNumber(good, Below(100'000), Below(100'000)));
 }
 
 TEST_F(Mutation, OfStructure) {
   const std::string good = ReadAll(SourceDir() + "/tests/data/scene/everything.gltf");
   std::filesystem::copy_file(SourceDir() + "/tests/data/scene/every thing.bin", folder_ + "/every thing.bin");
-  static const std::string kPieces[] = {"{}", "[]", "null", "true", "\"x\"", ",", "}", "]", "{", "[", ":", "\"", "\\", "[[[[", "\xff"};
+  static const std::string kPieces[] = {"{}", "[]", "null", "true", "\"x\"", ",",    "}",   "]",
+                                        "{",  "[",  ":",    "\"",   "\\",    "[[[[", "\xff"};
   for (int round = 0; round < kRounds; ++round) {
     std::string text = good;
     const std::size_t at = Below(text.size());

@@ -66,7 +66,7 @@ TEST(MatroskaGarbage, NeverFaultsAndEnds) {
   std::mt19937 random(kSeed);
   // An EBML header, a segment of an info, tracks and a cluster of two blocks.
   std::string whole("\x1A\x45\xDF\xA3\x8B\x42\x82\x88matroska", 16);
-  whole += std::string("\x18\x53\x80\x67\xB4", 5);
+  whole += std::string("\x18\x53\x80\x67\xB2", 5);
   whole += std::string("\x15\x49\xA9\x66\x93\x73\xA4\x90", 8) + std::string(16, 'u');
   whole += std::string("\x16\x54\xAE\x6B\x8A\xAE\x88\x73\xC5\x85", 10) + "trackpad";
   whole.resize(whole.size() - 3);

@@ -10,10 +10,10 @@
 namespace burin::scene {
 namespace {
 
-constexpr float kTolerance = 2e-6f;   // float arithmetic on values near 1
+constexpr float kTolerance = 2e-6f;  // float arithmetic on values near 1
 
-AnimationChannel Channel(AnimationPath path, Interpolation interpolation, std::vector<float> times, std::vector<float> values,
-                         int components) {
+AnimationChannel Channel(AnimationPath path, Interpolation interpolation, std::vector<float> times,
+                         std::vector<float> values, int components) {
   AnimationChannel channel;
   channel.node = 0;
   channel.path = path;
@@ -31,7 +31,8 @@ std::vector<float> Sample(const AnimationChannel& channel, float time_s) {
 }
 
 TEST(SampleChannel, HoldsTheEndsAndStepsBetween) {
-  const AnimationChannel step = Channel(AnimationPath::kTranslation, Interpolation::kStep, {1, 2, 4}, {1, 0, 0, 2, 0, 0, 3, 0, 0}, 3);
+  const AnimationChannel step =
+      Channel(AnimationPath::kTranslation, Interpolation::kStep, {1, 2, 4}, {1, 0, 0, 2, 0, 0, 3, 0, 0}, 3);
   EXPECT_EQ(Sample(step, 0.0f)[0], 1.0f);
   EXPECT_EQ(Sample(step, 1.999f)[0], 1.0f);
   EXPECT_EQ(Sample(step, 2.0f)[0], 2.0f);
@@ -41,7 +42,8 @@ TEST(SampleChannel, HoldsTheEndsAndStepsBetween) {
 }
 
 TEST(SampleChannel, IsLinearBetweenKeys) {
-  const AnimationChannel linear = Channel(AnimationPath::kScale, Interpolation::kLinear, {1, 3}, {0, 10, 4, 2, 20, 4}, 3);
+  const AnimationChannel linear =
+      Channel(AnimationPath::kScale, Interpolation::kLinear, {1, 3}, {0, 10, 4, 2, 20, 4}, 3);
   EXPECT_EQ(Sample(linear, 0.5f), (std::vector<float>{0, 10, 4}));
   EXPECT_EQ(Sample(linear, 1.5f), (std::vector<float>{0.5f, 12.5f, 4}));
   EXPECT_EQ(Sample(linear, 3.0f), (std::vector<float>{2, 20, 4}));
@@ -61,7 +63,8 @@ TEST(SampleChannel, FollowsTheCubicSplineOfAppendixC) {
 TEST(SampleChannel, TurnsAlongTheShorterArc) {
   // About z from 0 to 90 degrees, the second key negated: the same rotation, named the long way round.
   const float h = std::sqrt(0.5f);
-  const AnimationChannel turn = Channel(AnimationPath::kRotation, Interpolation::kLinear, {0, 1}, {0, 0, 0, 1, 0, 0, -h, -h}, 4);
+  const AnimationChannel turn =
+      Channel(AnimationPath::kRotation, Interpolation::kLinear, {0, 1}, {0, 0, 0, 1, 0, 0, -h, -h}, 4);
   for (const float t : {0.1f, 0.25f, 0.5f, 0.9f}) {
     const std::vector<float> q = Sample(turn, t);
     const float half_angle = t * std::numbers::pi_v<float> / 4.0f;
@@ -83,7 +86,8 @@ TEST(SampleChannel, NormalisesRotations) {
 TEST(Slerp, AgreesWithTheFormula) {
   const glm::quat a = glm::normalize(glm::quat(0.9f, 0.1f, -0.3f, 0.2f));
   const glm::quat b = glm::normalize(glm::quat(0.2f, -0.7f, 0.4f, 0.5f));
-  const double dot = static_cast<double>(a.w) * b.w + static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y + static_cast<double>(a.z) * b.z;
+  const double dot = static_cast<double>(a.w) * b.w + static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y +
+                     static_cast<double>(a.z) * b.z;
   const double angle = std::acos(std::abs(dot));
   const double sign = dot < 0 ? -1.0 : 1.0;
   for (const double t : {0.0, 0.2, 0.5, 0.75, 1.0}) {

@@ -46,7 +46,7 @@ TEST_F(FileCamera, IsSelectedByNameNodeOrIndex) {
 }
 
 TEST_F(FileCamera, HasDepthFromZeroToOne) {
-  const View view = Look(5, 200, 100);   // at (1, 0, 5), yfov 0.5, near 1, far 11; its node's scale of 3 is ignored
+  const View view = Look(5, 200, 100);  // at (1, 0, 5), yfov 0.5, near 1, far 11; its node's scale of 3 is ignored
   EXPECT_FALSE(view.orthographic);
   EXPECT_NEAR(Project(view, {1, 0, 4}).z, 0.0f, kTolerance);
   EXPECT_NEAR(Project(view, {1, 0, -6}).z, 1.0f, kTolerance);
@@ -71,7 +71,7 @@ TEST_F(FileCamera, MayBeInfinite) {
 }
 
 TEST_F(FileCamera, MayBeOrthographic) {
-  const View view = Look(6, 300, 200);   // at (2, 0, 5), ymag 3, near 0, far 10
+  const View view = Look(6, 300, 200);  // at (2, 0, 5), ymag 3, near 0, far 10
   EXPECT_TRUE(view.orthographic);
   EXPECT_NEAR(Project(view, {2, 3, 0}).y, 1.0f, kTolerance);
   EXPECT_NEAR(Project(view, {2 + 4.5f, 0, 0}).x, 1.0f, kTolerance);
@@ -91,8 +91,11 @@ TEST_F(FileCamera, OrbitsTheCentreOfTheBounds) {
 }
 
 TEST(AutoCamera, ShowsTheWholeBoundsAtEveryAngle) {
-  const std::vector<Bounds> boxes = {{{-1, -1, -1}, {1, 1, 1}}, {{0, 0, 0}, {10, 1, 2}}, {{-1, 0, -1}, {1, 30, 1}},
-                                     {{1e4f, 0, 0}, {1e4f + 1, 1, 1}}, {{-1e-3f, 0, 0}, {1e-3f, 1e-3f, 0}}};
+  const std::vector<Bounds> boxes = {{{-1, -1, -1}, {1, 1, 1}},
+                                     {{0, 0, 0}, {10, 1, 2}},
+                                     {{-1, 0, -1}, {1, 30, 1}},
+                                     {{1e4f, 0, 0}, {1e4f + 1, 1, 1}},
+                                     {{-1e-3f, 0, 0}, {1e-3f, 1e-3f, 0}}};
   for (const Bounds& box : boxes) {
     for (const auto& [width, height] : {std::pair(100, 100), std::pair(1920, 1080), std::pair(100, 700)}) {
       float largest = 0.0f;

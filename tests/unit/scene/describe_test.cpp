@@ -46,7 +46,8 @@ TEST(DescribeScene, SaysItToPrograms) {
 TEST(DescribeScene, TakesAnEmptyScene) {
   Scene scene;
   scene.path = "nothing.gltf";
-  EXPECT_EQ(DescribeScene(scene, false), "nothing.gltf: scene (unnamed)\n  nodes: 0, skins: 0, images: 0\n  bounds: nothing is drawn\n");
+  EXPECT_EQ(DescribeScene(scene, false),
+            "nothing.gltf: scene (unnamed)\n  nodes: 0, skins: 0, images: 0\n  bounds: nothing is drawn\n");
   EXPECT_EQ(nlohmann::json::parse(DescribeScene(scene, true))["bounds"], nullptr);
 }
 

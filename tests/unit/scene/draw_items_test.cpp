@@ -64,7 +64,8 @@ TEST(DrawItems, BlendJointsLinearly) {
   const Pose bent = EvaluatePose(scene, {0}, 1.0);
   const DrawItem item = ItemOf(BuildDrawItems(scene, bent, bent), 5);
   // At 1 s joint 2, at (0, 2, 0), is turned by 90 degrees, and the weights are 0.5 and 1: each vertex is first moved by
-  // target 1, (0, 0, 1). A vertex (x, 2, 1) of row 2 follows joint 2 by 0.75, to (0, 2 + x, 1), and joint 1 by 0.25, to itself.
+  // target 1, (0, 0, 1). A vertex (x, 2, 1) of row 2 follows joint 2 by 0.75, to (0, 2 + x, 1), and joint 1 by 0.25, to
+  // itself.
   ExpectNear(item.deformed.positions[4], {0.25f * -0.5f, 0.75f * 1.5f + 0.25f * 2.0f, 1.0f});
   ExpectNear(item.deformed.positions[5], {0.25f * 0.5f, 0.75f * 2.5f + 0.25f * 2.0f, 1.0f});
   // Row 3 follows joints 3 and 2, both turned about (0, 2, 0): (x, 3, 1) to (-1, 2 + x, 1).

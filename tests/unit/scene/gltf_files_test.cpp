@@ -61,7 +61,8 @@ TEST(SceneFolder, ReadsRegularFilesOnly) {
   ASSERT_EQ(::mkfifo((folder / "triangle.bin").c_str(), 0600), 0);
   EXPECT_EQ(ReadGltf(path, {}).error().message, path + R"(: buffers[0]: "triangle.bin" is not a regular file)");
   EXPECT_EQ(ReadGltf(folder / "", {}).error().message, (folder / "") + ": is not a regular file");
-  EXPECT_EQ(ReadGltf(folder / "none.glb", {}).error().message, (folder / "none.glb") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(ReadGltf(folder / "none.glb", {}).error().message,
+            (folder / "none.glb") + ": cannot be opened: No such file or directory");
 }
 
 TEST(DataUri, DecodesBase64OfAnyType) {
@@ -98,16 +99,16 @@ TEST(Glb, ReadsChunksAndRefusesTruncatedOnes) {
   EXPECT_EQ(GlbMessage(whole), "read");
   EXPECT_EQ(GlbMessage(whole + "trailing bytes"), "read");
   EXPECT_EQ(GlbMessage(whole.substr(0, 8)), "truncated: 8 bytes, a GLB header has 12");
-  EXPECT_EQ(GlbMessage(whole.substr(0, whole.size() - 1)),
-            "truncated: the GLB header says " + std::to_string(whole.size()) + " bytes, the file has " +
-                std::to_string(whole.size() - 1));
+  EXPECT_EQ(GlbMessage(whole.substr(0, whole.size() - 1)), "truncated: the GLB header says " +
+                                                               std::to_string(whole.size()) + " bytes, the file has " +
+                                                               std::to_string(whole.size() - 1));
   std::string other = whole;
   other[4] = 1;
   EXPECT_EQ(GlbMessage(other), "GLB version 1 is not supported, expected 2");
   other = whole;
   other.replace(12, 4, U32(0xfffffff0u));
-  EXPECT_EQ(GlbMessage(other), "GLB chunk 0: 4294967280 bytes, but only " + std::to_string(whole.size() - 20) +
-                                   " are left in the file");
+  EXPECT_EQ(GlbMessage(other),
+            "GLB chunk 0: 4294967280 bytes, but only " + std::to_string(whole.size() - 20) + " are left in the file");
   other = whole;
   other.replace(16, 4, "XXXX");
   EXPECT_EQ(GlbMessage(other), "GLB chunk 0: expected JSON");
@@ -118,7 +119,8 @@ TEST(Glb, ReadsChunksAndRefusesTruncatedOnes) {
 
 TEST(Glb, EveryTruncationIsRefused) {
   const std::string whole = Glb(Edited(TriangleText(), {{R"(,"uri":"triangle.bin")", ""}}), TriangleBin());
-  for (std::size_t size = 0; size < whole.size(); size += 7) EXPECT_NE(GlbMessage(whole.substr(0, size)), "read") << size;
+  for (std::size_t size = 0; size < whole.size(); size += 7)
+    EXPECT_NE(GlbMessage(whole.substr(0, size)), "read") << size;
 }
 
 TEST(Images, AreDecodedOnceAndOnlyWhenAMaterialUsesThem) {
@@ -126,7 +128,7 @@ TEST(Images, AreDecodedOnceAndOnlyWhenAMaterialUsesThem) {
   GltfOptions options;
   options.decode_image = [&](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
     names.push_back(name);
-    EXPECT_EQ(std::to_integer<int>(bytes[0]), 0x89);   // "used" and "bumps" are PNG; "unused" is not
+    EXPECT_EQ(std::to_integer<int>(bytes[0]), 0x89);  // "used" and "bumps" are PNG; "unused" is not
     image::Image picture;
     picture.width = picture.height = 1;
     picture.channels = 3;

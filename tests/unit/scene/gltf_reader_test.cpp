@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr float kTolerance = 1e-6f;   // a few roundings of values near 1
+constexpr float kTolerance = 1e-6f;  // a few roundings of values near 1
 
 void ExpectNear(const glm::vec3& a, const glm::vec3& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], kTolerance) << c;
@@ -35,13 +35,16 @@ TEST(GltfReader, TurnsEveryModeIntoAList) {
   EXPECT_THAT(p[3].indices, ElementsAre(0, 1, 1, 2, 2, 3, 3, 4));
   for (int mode = 4; mode < 7; ++mode) EXPECT_EQ(p[static_cast<std::size_t>(mode)].mode, PrimitiveMode::kTriangles);
   EXPECT_EQ(p[4].indices.size(), 3u);
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("primitives[1]: 5 indices are no whole number of lines; the last one is dropped"),
-                                          HasSubstr("primitives[4]: 5 indices are no whole number of triangles; the last two are dropped")));
+  EXPECT_THAT(
+      scene.warnings,
+      ElementsAre(HasSubstr("primitives[1]: 5 indices are no whole number of lines; the last one is dropped"),
+                  HasSubstr("primitives[4]: 5 indices are no whole number of triangles; the last two are dropped")));
 }
 
 TEST(GltfReader, KeepsTheWindingOfStripsAndFans) {
   const Scene scene = ReadOrDie(DataPath("modes.glb"));
-  // The five points turn counter-clockwise in the z = 0 plane, strip and fan cover the same polygon: every flat normal is +z.
+  // The five points turn counter-clockwise in the z = 0 plane, strip and fan cover the same polygon: every flat normal
+  // is +z.
   for (const std::size_t mode : {4u, 5u, 6u}) {
     const Primitive& p = scene.meshes[0].primitives[mode];
     EXPECT_TRUE(p.flat_normals);
@@ -51,7 +54,7 @@ TEST(GltfReader, KeepsTheWindingOfStripsAndFans) {
   }
   const Primitive& fan = scene.meshes[0].primitives[6];
   ASSERT_EQ(fan.positions.size(), 9u);
-  ExpectNear(fan.positions[0], {2, 0, 0});   // specification: p_i = {v_(i+1), v_(i+2), v_0}
+  ExpectNear(fan.positions[0], {2, 0, 0});  // specification: p_i = {v_(i+1), v_(i+2), v_0}
   ExpectNear(fan.positions[1], {2, 1, 0});
   ExpectNear(fan.positions[2], {0, 0, 0});
 }
@@ -92,8 +95,8 @@ TEST(GltfReader, ReadsMaterials) {
 
 TEST(GltfReader, TransformsTextureCoordinates) {
   const Scene scene = ReadOrDie(DataPath("everything.gltf"));
-  // Offset (0.5, 0.25), 90 degrees counter-clockwise as the image is seen, scale (2, 3): (1, 1) scales to (2, 3), turns to
-  // (3, -2) (v is down), moves to (3.5, -1.75).
+  // Offset (0.5, 0.25), 90 degrees counter-clockwise as the image is seen, scale (2, 3): (1, 1) scales to (2, 3), turns
+  // to (3, -2) (v is down), moves to (3.5, -1.75).
   const glm::vec3 uv = scene.materials[0].base_color_texture.uv_transform * glm::vec3(1.0f, 1.0f, 1.0f);
   ExpectNear(uv, {3.5f, -1.75f, 1.0f});
 }
@@ -104,7 +107,8 @@ TEST(GltfReader, ReadsIntegerAttributesAsFractions) {
   ASSERT_EQ(square.positions.size(), 4u);
   EXPECT_THAT(square.texcoords[0], ElementsAre(glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(1, 0), glm::vec2(0, 0)));
   EXPECT_EQ(square.texcoords[0], square.texcoords[1]);
-  EXPECT_THAT(square.colors, ElementsAre(glm::vec4(0, 0, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(0, 1, 0, 1), glm::vec4(0, 0, 1, 1)));
+  EXPECT_THAT(square.colors,
+              ElementsAre(glm::vec4(0, 0, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(0, 1, 0, 1), glm::vec4(0, 0, 1, 1)));
   const Primitive& quantised = scene.meshes[1].primitives[0];
   EXPECT_THAT(quantised.positions, ElementsAre(glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)));
 }
@@ -204,7 +208,8 @@ TEST(GltfReader, SurvivesAVeryDeepHierarchy) {
   constexpr int kDepth = 100'000;
   std::string nodes = R"([{"mesh":0,"children":[1],"translation":[0,0,1]})";
   for (int i = 1; i < kDepth; ++i) {
-    nodes += ",{\"translation\":[1,0,0]" + (i + 1 < kDepth ? ",\"children\":[" + std::to_string(i + 1) + "]}" : std::string("}"));
+    nodes += ",{\"translation\":[1,0,0]" +
+             (i + 1 < kDepth ? ",\"children\":[" + std::to_string(i + 1) + "]}" : std::string("}"));
   }
   const TempFolder folder;
   folder.Write("triangle.bin", TriangleBin());
@@ -223,11 +228,12 @@ TEST(GltfReader, ShowsEveryNodeWithoutAScene) {
 
 TEST(GltfReader, KeepsTheLastOfKeysAtOneTime) {
   const TempFolder folder;
-  folder.Write("triangle.bin", BytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + BytesOf<float>({1, 0, 1, 0, 0, 1, 0, 1, 1}) +
-                                   BytesOf<std::uint16_t>({0, 1, 1, 0}));
+  folder.Write("triangle.bin", BytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                                   BytesOf<float>({1, 0, 1, 0, 0, 1, 0, 1, 1}) + BytesOf<std::uint16_t>({0, 1, 1, 0}));
   const Scene scene = ReadOrDie(folder.Write(
-      "keys.gltf", Edited(TriangleText(), {{R"(,"indices":2)", ""},
-                                           {R"("scene":0)", R"("scene":0,"animations":[{"samplers":[{"input":2,"output":1}],
+      "keys.gltf",
+      Edited(TriangleText(),
+             {{R"(,"indices":2)", ""}, {R"("scene":0)", R"("scene":0,"animations":[{"samplers":[{"input":2,"output":1}],
                                             "channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}])"}})));
   ASSERT_EQ(scene.animations.size(), 1u);
   EXPECT_EQ(scene.animations[0].channels[0].times.size(), 2u);

@@ -11,11 +11,13 @@ namespace {
 TEST(GltfRefusal, ReadsTheUneditedTriangle) { EXPECT_EQ(Refusal({}), "read"); }
 
 TEST(GltfRefusal, NamesValuesOfAWrongType) {
-  EXPECT_EQ(Refusal({{R"("scene":0)", R"("scene":"hello")"}}), R"(scene: expected an index in "scenes", found "hello")");
+  EXPECT_EQ(Refusal({{R"("scene":0)", R"("scene":"hello")"}}),
+            R"(scene: expected an index in "scenes", found "hello")");
   EXPECT_EQ(Refusal({{R"([{"mesh":0}])", R"({"mesh":0})"}}), "nodes: expected an array, found an object");
   EXPECT_EQ(Refusal({{R"([{"mesh":0}])", "[7]"}}), "nodes[0]: expected an object, found 7");
   EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":0,"name":42})"}}), "nodes[0].name: expected a string, found 42");
-  EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":-1})"}}), R"(nodes[0].mesh: expected an index in "meshes", found -1)");
+  EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":-1})"}}),
+            R"(nodes[0].mesh: expected an index in "meshes", found -1)");
   EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":0,"scale":[1,true,1]})"}}),
             "nodes[0].scale[1]: expected a number, found true");
   EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":0,"scale":[1,1]})"}}), "nodes[0].scale: expected 3 numbers, found 2");
@@ -56,18 +58,21 @@ TEST(GltfRefusal, NamesIndicesOutOfRange) {
 }
 
 TEST(GltfRefusal, KeepsAccessorsInsideTheirViews) {
-  EXPECT_EQ(Refusal({{R"("count":3)", R"("count":4)"}}),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: 4 elements of 12 bytes, 12 apart, from byte 0 do not "
-            "fit in buffer view 0 of 36 bytes");
-  EXPECT_EQ(Refusal({{R"("count":3)", R"("count":4503599627370496)"}}),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: 4503599627370496 elements of 12 bytes, 12 apart, from "
-            "byte 0 do not fit in buffer view 0 of 36 bytes");
+  EXPECT_EQ(
+      Refusal({{R"("count":3)", R"("count":4)"}}),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: 4 elements of 12 bytes, 12 apart, from byte 0 do not "
+      "fit in buffer view 0 of 36 bytes");
+  EXPECT_EQ(
+      Refusal({{R"("count":3)", R"("count":4503599627370496)"}}),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: 4503599627370496 elements of 12 bytes, 12 apart, from "
+      "byte 0 do not fit in buffer view 0 of 36 bytes");
   EXPECT_EQ(Refusal({{R"({"bufferView":0,)", R"({"bufferView":0,"byteOffset":9007199254740988,)"}}),
             "meshes[0].primitives[0].attributes.POSITION: accessor 0: 3 elements of 12 bytes, 12 apart, from byte "
             "9007199254740988 do not fit in buffer view 0 of 36 bytes");
-  EXPECT_EQ(Refusal({{R"("byteOffset":36,"byteLength":36)", R"("byteOffset":36,"byteLength":36,"byteStride":16)"}}),
-            "meshes[0].primitives[0].attributes.NORMAL: accessor 1: 3 elements of 12 bytes, 16 apart, from byte 0 do not "
-            "fit in buffer view 1 of 36 bytes");
+  EXPECT_EQ(
+      Refusal({{R"("byteOffset":36,"byteLength":36)", R"("byteOffset":36,"byteLength":36,"byteStride":16)"}}),
+      "meshes[0].primitives[0].attributes.NORMAL: accessor 1: 3 elements of 12 bytes, 16 apart, from byte 0 do not "
+      "fit in buffer view 1 of 36 bytes");
   EXPECT_EQ(Refusal({{R"("byteOffset":36,"byteLength":36)", R"("byteOffset":36,"byteLength":36,"byteStride":14)"}}),
             "bufferViews[1].byteStride: expected a multiple of 4, found 14");
 }
@@ -84,19 +89,31 @@ TEST(GltfRefusal, KeepsViewsInsideTheirBuffers) {
 }
 
 TEST(GltfRefusal, BoundsWhatAnAccessorWithoutDataTakes) {
-  EXPECT_EQ(Refusal({{R"({"bufferView":0,"componentType":5126,"count":3)", R"({"componentType":5126,"count":2000000000)"}}),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: 2000000000 elements without a buffer view, over the "
-            "limit of 16777216");
+  EXPECT_EQ(
+      Refusal({{R"({"bufferView":0,"componentType":5126,"count":3)", R"({"componentType":5126,"count":2000000000)"}}),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: 2000000000 elements without a buffer view, over the "
+      "limit of 16777216");
+}
+
+TEST(GltfRefusal, BoundsWhatManyPrimitivesTakeOfOneAccessor) {
+  // 16 million points are 192 MiB of zeros and 64 MiB of indices: two do not fit in the half gigabyte of a small file
+  // while the second's are made.
+  const std::string many = R"({"attributes":{"POSITION":0},"mode":0})";
+  EXPECT_EQ(Refusal({{R"({"bufferView":0,"componentType":5126,"count":3)", R"({"componentType":5126,"count":16777216)"},
+                     {R"({"attributes":{"POSITION":0,"NORMAL":1},"indices":2})", many + "," + many + "," + many}}),
+            "meshes[0].primitives[1]: the arrays of a scene of this size may not take more than 512 MiB");
 }
 
 TEST(GltfRefusal, ChecksAttributesAgainstPosition) {
-  EXPECT_EQ(Refusal({{R"({"bufferView":1,"componentType":5126,"count":3)", R"({"bufferView":1,"componentType":5126,"count":2)"}}),
+  EXPECT_EQ(Refusal({{R"({"bufferView":1,"componentType":5126,"count":3)",
+                      R"({"bufferView":1,"componentType":5126,"count":2)"}}),
             "meshes[0].primitives[0].attributes.NORMAL: accessor 1 has 2 elements, POSITION has 3");
   EXPECT_EQ(Refusal({{R"({"bufferView":1,"componentType":5126,"count":3,"type":"VEC3")",
                       R"({"bufferView":1,"componentType":5126,"count":3,"type":"VEC2")"}}),
             "meshes[0].primitives[0].attributes.NORMAL: accessor 1: expected VEC3, found VEC2");
   EXPECT_EQ(Refusal({{R"("NORMAL":1)", R"("NORMAL":1,"TEXCOORD_1":1)"}}),
-            "meshes[0].primitives[0].attributes.TEXCOORD_1: is there without TEXCOORD_0; sets are numbered from 0 without gaps");
+            "meshes[0].primitives[0].attributes.TEXCOORD_1: is there without TEXCOORD_0; sets are numbered from 0 "
+            "without gaps");
   EXPECT_EQ(Refusal({{R"("NORMAL":1)", R"("NORMAL":1,"JOINTS_0":1)"}}),
             "meshes[0].primitives[0].attributes.JOINTS_0: is there without WEIGHTS_0");
   EXPECT_EQ(Refusal({{R"("NORMAL":1)", R"("NORMAL":1,"COLOR_x":1)"}}),
@@ -121,27 +138,34 @@ TEST(GltfRefusal, WantsFiniteNumbersAndNormalsOfSomeLength) {
   EXPECT_EQ(Refusal({}, positions + BytesOf<float>({0, 0, 1, 0, 0, 0, 0, 0, 1}) + indices),
             "meshes[0].primitives[0].attributes.NORMAL: the normal of vertex 1 has no length");
   // A triangle without area is never seen: its normals may be anything.
-  EXPECT_EQ(Refusal({}, BytesOf<float>({0, 0, 0, 1, 0, 0, 2, 0, 0}) + BytesOf<float>({0, 0, 0, 0, 0, 0, 0, 0, 0}) + indices),
-            "read");
+  EXPECT_EQ(
+      Refusal({}, BytesOf<float>({0, 0, 0, 1, 0, 0, 2, 0, 0}) + BytesOf<float>({0, 0, 0, 0, 0, 0, 0, 0, 0}) + indices),
+      "read");
 }
 
 TEST(GltfRefusal, ChecksSparseData) {
-  const std::string head = R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0])";
+  const std::string head =
+      R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0])";
   const auto sparse = [&](const std::string& body) { return Refusal({{head, head + R"(,"sparse":)" + body}}); };
   EXPECT_EQ(sparse(R"({"count":4,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":1}})"),
             "meshes[0].primitives[0].attributes.POSITION: accessor 0: sparse count 4 is over the accessor's count 3");
-  EXPECT_EQ(sparse(R"({"count":3,"indices":{"bufferView":2,"componentType":5125},"values":{"bufferView":1}})"),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: its 3 sparse indices do not fit in buffer view 2");
-  EXPECT_EQ(sparse(R"({"count":3,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":1,"byteOffset":4}})"),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: its 3 sparse values do not fit in buffer view 1");
+  EXPECT_EQ(
+      sparse(R"({"count":3,"indices":{"bufferView":2,"componentType":5125},"values":{"bufferView":1}})"),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: its 3 sparse indices do not fit in buffer view 2");
+  EXPECT_EQ(
+      sparse(R"({"count":3,"indices":{"bufferView":2,"componentType":5123},"values":{"bufferView":1,"byteOffset":4}})"),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: its 3 sparse values do not fit in buffer view 1");
   EXPECT_EQ(sparse(R"({"count":3,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0}})"),
             "meshes[0].primitives[0].attributes.POSITION: accessor 0: its sparse indices do not increase");
-  EXPECT_EQ(sparse(R"({"count":1,"indices":{"bufferView":1,"byteOffset":11,"componentType":5121},"values":{"bufferView":0}})"),
-            "meshes[0].primitives[0].attributes.POSITION: accessor 0: sparse index 63 is out of range, the count is 3");
+  EXPECT_EQ(
+      sparse(
+          R"({"count":1,"indices":{"bufferView":1,"byteOffset":11,"componentType":5121},"values":{"bufferView":0}})"),
+      "meshes[0].primitives[0].attributes.POSITION: accessor 0: sparse index 63 is out of range, the count is 3");
 }
 
 TEST(GltfRefusal, WantsAForestOfNodes) {
-  EXPECT_EQ(Refusal({{R"([{"mesh":0}])", R"([{"children":[1]},{"children":[0]}])"}}), "nodes[0]: is among its own ancestors");
+  EXPECT_EQ(Refusal({{R"([{"mesh":0}])", R"([{"children":[1]},{"children":[0]}])"}}),
+            "nodes[0]: is among its own ancestors");
   EXPECT_EQ(Refusal({{R"([{"mesh":0}])", R"([{"children":[0]}])"}}), "nodes[0]: is among its own ancestors");
   EXPECT_EQ(Refusal({{R"([{"mesh":0}])", R"([{"children":[2]},{"children":[2]},{"mesh":0}])"}}),
             "nodes[2]: is a child of both nodes[0] and nodes[1]; a node has one parent");
@@ -175,8 +199,9 @@ TEST(GltfRefusal, ChecksCamerasAndLights) {
   EXPECT_EQ(camera(R"({"type":"orthographic","orthographic":{"xmag":0,"ymag":1,"znear":0,"zfar":1}})"),
             "cameras[0].orthographic: xmag and ymag must not be 0");
   EXPECT_EQ(camera(R"({"type":"perspective"})"), R"(cameras[0]: "perspective" is missing)");
-  EXPECT_EQ(Refusal({{R"("scene":0)", R"("scene":0,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot"}]}})"}}),
-            R"(extensions.KHR_lights_punctual.lights[0]: "spot" is missing)");
+  EXPECT_EQ(
+      Refusal({{R"("scene":0)", R"("scene":0,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot"}]}})"}}),
+      R"(extensions.KHR_lights_punctual.lights[0]: "spot" is missing)");
   EXPECT_EQ(Refusal({{R"("scene":0)", R"("scene":0,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":
                       {"innerConeAngle":0.5,"outerConeAngle":0.5}}]}})"}}),
             "extensions.KHR_lights_punctual.lights[0].spot: innerConeAngle 0.5 is not below outerConeAngle 0.5");
@@ -184,7 +209,8 @@ TEST(GltfRefusal, ChecksCamerasAndLights) {
 
 TEST(GltfRefusal, ChecksAnimations) {
   const auto animation = [](const std::string& channel, const std::string& sampler) {
-    return Refusal({{R"("scene":0)", R"("scene":0,"animations":[{"channels":[)" + channel + R"(],"samplers":[)" + sampler + "]}]"}});
+    return Refusal({{R"("scene":0)",
+                     R"("scene":0,"animations":[{"channels":[)" + channel + R"(],"samplers":[)" + sampler + "]}]"}});
   };
   const std::string move = R"({"sampler":0,"target":{"node":0,"path":"translation"}})";
   // Accessor 1 as times: VEC3. There is no SCALAR float accessor, so the indices serve as times 0, 1, 2.
@@ -208,7 +234,8 @@ TEST(GltfRefusal, ChecksSkins) {
                      {R"({"mesh":0})", R"({"mesh":0,"skin":0})"},
                      {R"("NORMAL":1)", R"("NORMAL":1,"JOINTS_0":3,"WEIGHTS_0":3)"},
                      {R"("accessors":[)", R"("accessors":[)"},
-                     {R"("type":"SCALAR"})", R"("type":"SCALAR"},{"bufferView":1,"componentType":5121,"count":3,"type":"VEC4"})"}}),
+                     {R"("type":"SCALAR"})",
+                      R"("type":"SCALAR"},{"bufferView":1,"componentType":5121,"count":3,"type":"VEC4"})"}}),
             "nodes[0]: skin 0 has 1 joints, but meshes[0].primitives[0].attributes.JOINTS_0 names joint 128");
 }
 
@@ -217,18 +244,21 @@ TEST(GltfRefusal, ChecksMorphTargets) {
             "meshes[0].primitives[0].targets[0].POSITION: accessor 2: expected VEC3, found SCALAR");
   EXPECT_EQ(Refusal({{R"("indices":2}])", R"("indices":2,"targets":[{"POSITION":1}]}],"weights":[1,2])"}}),
             "meshes[0].weights: 2 weights for 1 morph targets");
-  EXPECT_EQ(Refusal({{R"("indices":2}])",
-                      R"("indices":2,"targets":[{"POSITION":1}]},{"attributes":{"POSITION":0}}])"}}),
-            "meshes[0].primitives[1]: has 0 morph targets, the mesh's first primitive has 1");
-  EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":0,"weights":[1]})"}}), "nodes[0].weights: 1 weights for 0 morph targets");
+  EXPECT_EQ(
+      Refusal({{R"("indices":2}])", R"("indices":2,"targets":[{"POSITION":1}]},{"attributes":{"POSITION":0}}])"}}),
+      "meshes[0].primitives[1]: has 0 morph targets, the mesh's first primitive has 1");
+  EXPECT_EQ(Refusal({{R"({"mesh":0})", R"({"mesh":0,"weights":[1]})"}}),
+            "nodes[0].weights: 1 weights for 0 morph targets");
 }
 
 TEST(GltfRefusal, SaysWhereJsonBreaks) {
-  EXPECT_EQ(Refusal({{R"("scene":0)", R"("scene":)"}}),
-            "not valid JSON: parse error at line 1, column 36: syntax error while parsing value - unexpected ','; expected "
-            "'[', '{', or a literal");
-  EXPECT_EQ(Refusal({{R"("scene":0)", "\"extras\":" + std::string(200, '[') + std::string(200, ']') + R"(,"scene":0)"}}),
-            "JSON nests deeper than 128 levels");
+  EXPECT_EQ(
+      Refusal({{R"("scene":0)", R"("scene":)"}}),
+      "not valid JSON: parse error at line 1, column 36: syntax error while parsing value - unexpected ','; expected "
+      "'[', '{', or a literal");
+  EXPECT_EQ(
+      Refusal({{R"("scene":0)", "\"extras\":" + std::string(200, '[') + std::string(200, ']') + R"(,"scene":0)"}}),
+      "JSON nests deeper than 128 levels");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(DropUnusedVertices, KeepsTheOrderOfTheOthers) {
 
 TEST(MakeFlatNormals, UnsharesVertices) {
   Primitive p = Quad();
-  p.positions[3] = {0, 0, -1};   // the second triangle leans back
+  p.positions[3] = {0, 0, -1};  // the second triangle leans back
   MakeFlatNormals(p);
   ASSERT_EQ(p.positions.size(), 6u);
   EXPECT_THAT(p.indices, ElementsAre(0, 1, 2, 3, 4, 5));
@@ -109,7 +109,7 @@ TEST(MakeTangents, SplitsVerticesAtAMirrorSeam) {
 TEST(MakeTangents, StaysPerpendicularToTheNormal) {
   Primitive p = Quad();
   for (glm::vec3& n : p.normals) n = glm::normalize(glm::vec3(0.5f, -0.25f, 1.0f));
-  p.texcoords[0][2] = p.texcoords[0][1];   // one triangle without area in the texture
+  p.texcoords[0][2] = p.texcoords[0][1];  // one triangle without area in the texture
   MakeTangents(p, 0);
   for (std::size_t i = 0; i < p.tangents.size(); ++i) {
     const glm::vec3 tangent(p.tangents[i]);

@@ -27,8 +27,7 @@ inline std::string DataPath(const std::string& name) {
 
 /// The shared collection of real files; empty where it is not there.
 inline std::string SharedData() {
-  const std::string path =
-      Environment("BURIN_SHARED_DATA", Environment("BURIN_SOURCE_DIR", ".") + "/../shared/data");
+  const std::string path = Environment("BURIN_SHARED_DATA", Environment("BURIN_SOURCE_DIR", ".") + "/../shared/data");
   return std::filesystem::is_directory(path) ? path : std::string();
 }
 

@@ -64,7 +64,8 @@ TEST_F(SharedData, CompressedFilesAreRefusedByExtension) {
     const auto scene = ReadGltf(file, {});
     ASSERT_FALSE(scene) << file;
     const bool meshopt = file.find("eshopt") != std::string::npos;
-    EXPECT_NE(scene.error().message.find(meshopt ? "EXT_meshopt_compression" : "KHR_draco_mesh_compression"), std::string::npos)
+    EXPECT_NE(scene.error().message.find(meshopt ? "EXT_meshopt_compression" : "KHR_draco_mesh_compression"),
+              std::string::npos)
         << scene.error().message;
   }
 }
@@ -88,6 +89,17 @@ TEST_F(SharedData, KnownNumbers) {
 
   const Scene spot = ReadOrDie(SharedData_() + "/mesh/spot.glb");
   EXPECT_EQ(spot.meshes[0].primitives[0].indices.size() / 3, 5856u);
+}
+
+TEST_F(SharedData, TheTextureTransformTestsArrowsPointAtTheirMarks) {
+  // The arrow's tip is at (0.7778, 0.7778) of its picture, where the mark "Not Supported" lies on an untransformed
+  // square; the rotated arrow's mark "Correct" lies at (-0.0790, -0.5163) of a square whose texture starts at (-0.5,
+  // 0.5).
+  const Scene scene = ReadOrDie(SharedData_() + "/gltf/TextureTransformTest/TextureTransformTest.gltf");
+  const TextureUse& rotated = scene.materials[3].base_color_texture;
+  const glm::vec3 tip = rotated.uv_transform * glm::vec3(-0.0790f + 0.5f, 0.5f + 0.5163f, 1.0f);
+  EXPECT_NEAR(tip.x, 0.7778f, 1e-3f);
+  EXPECT_NEAR(tip.y, 0.7778f, 1e-3f);
 }
 
 }  // namespace

@@ -231,7 +231,7 @@ TEST_F(Videos, TruncatedFilesNameTheFrame) {
                                        std::to_string(read.frames.size()) + ", but says that it has 30"));
   }
   WriteVideo("a.mp4", 30);
-  Cut("a.mp4", 0.6);   // its index is at the end
+  Cut("a.mp4", 0.3);   // its index is at the end
   EXPECT_EQ(ReadVideo(folder_.File("a.mp4")).error,
             "cannot read '" + folder_.File("a.mp4") + "': it is no whole video (moov atom not found)");
 }
@@ -267,7 +267,7 @@ TEST_F(Videos, RotationIsHonoured) {
 
 TEST_F(Videos, OddSizesAreRead) {
   if (!test::HasFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-  ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -y -f lavfi -i color=red:s=33x21:d=0.2 -pix_fmt bgr0 -c:v ffv1 " + folder_.File("odd.mkv")).c_str()), 0);
+  ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -y -f lavfi -i color=red:s=40x30:d=0.2,format=bgr0,crop=33:21 -c:v ffv1 " + folder_.File("odd.mkv")).c_str()), 0);
   const Frames read = ReadVideo(folder_.File("odd.mkv"));
   EXPECT_EQ(read.error, "");
   ASSERT_FALSE(read.frames.empty());
