@@ -142,7 +142,7 @@ def make():
     place("vase", vase, clay, (-0.95, 0.02, -0.35))
     place("bowl", bowl, glaze, (0.62, 0.02, 0.55))
     place("gold ball", ball, gold, (-0.35, 0.38, 0.72))
-    place("knot", knot(96, 8, 0.12), copper, (0.95, 0.66, -0.8), rotation=rotation((1, 0.25, 0.3), 70), scale=[0.68, 0.68, 0.68])
+    place("knot", knot(96, 8, 0.12), copper, (0.78, 0.66, -0.85), rotation=rotation((1, 0.25, 0.3), 70), scale=[0.68, 0.68, 0.68])
     place("crystal", crystal(), colours, (-0.05, 0.02, -0.2), rotation=rotation((0, 1, 0), 20))
     first = place("orange", orange, fruit, (0.5, 0.4, 0.55))
     mesh = b.doc["nodes"][first]["mesh"]

@@ -31,7 +31,7 @@ Result<fs::path> FollowLinks(const std::string& path) {
   std::error_code error;
   fs::path target = fs::absolute(path, error);
   if (error) return CannotWrite(path, error.message());
-  constexpr int kMostLinks = 40;   // as the kernel
+  constexpr int kMostLinks = 40;  // as the kernel
   for (int i = 0; i < kMostLinks; ++i) {
     if (!fs::is_symlink(target, error)) return target;
     const fs::path next = fs::read_symlink(target, error);

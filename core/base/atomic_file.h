@@ -34,9 +34,9 @@ class AtomicFile {
   AtomicFile() = default;
   void Discard() noexcept;
 
-  std::string name_;        ///< as the caller wrote it, for messages
-  std::string target_;      ///< links followed, absolute
-  std::string temporary_;   ///< empty once committed or moved from
+  std::string name_;       ///< as the caller wrote it, for messages
+  std::string target_;     ///< links followed, absolute
+  std::string temporary_;  ///< empty once committed or moved from
   int descriptor_ = -1;
   TemporaryId id_ = kNotRegistered;
 };

@@ -56,7 +56,7 @@ class BoundedQueue {
   }
 
   void Abort() {
-    std::deque<T> dropped;   // destroyed outside the lock
+    std::deque<T> dropped;  // destroyed outside the lock
     {
       const std::lock_guard lock(mutex_);
       closed_ = true;

@@ -3,7 +3,8 @@
 
 namespace burin::base {
 
-/// Threads that this process may run on at once: the size of its affinity mask (taskset, cpusets, farm slots), at least 1.
+/// Threads that this process may run on at once: the size of its affinity mask (taskset, cpusets, farm slots), at
+/// least 1.
 [[nodiscard]] int AvailableThreads();
 
 }  // namespace burin::base

@@ -9,10 +9,10 @@ namespace burin {
 
 /// What went wrong, as the exit status tells it (burin(1), EXIT STATUS).
 enum class ErrorKind {
-  kFailed = 1,   ///< the work failed: an output could not be written, a limit was met
-  kUsage = 2,    ///< the command line is wrong
-  kInput = 3,    ///< an effect, scene, image or video has errors
-  kDevice = 4,   ///< no usable GL device
+  kFailed = 1,  ///< the work failed: an output could not be written, a limit was met
+  kUsage = 2,   ///< the command line is wrong
+  kInput = 3,   ///< an effect, scene, image or video has errors
+  kDevice = 4,  ///< no usable GL device
 };
 
 /// One failure: a message that names the file and object, what was found and what was expected.

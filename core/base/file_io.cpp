@@ -13,7 +13,8 @@
 namespace burin::base {
 namespace {
 
-// Blocks SIGPIPE in this thread and takes away the one that a write raised, whatever the program does with it elsewhere.
+// Blocks SIGPIPE in this thread and takes away the one that a write raised, whatever the program does with it
+// elsewhere.
 class HoldSigpipe {
  public:
   HoldSigpipe() noexcept {
@@ -92,7 +93,7 @@ ReadCount ReadAll(int descriptor, std::span<std::byte> bytes) noexcept {
 
 void WidenPipe(int descriptor) noexcept {
 #ifdef F_SETPIPE_SZ
-  constexpr int kBytes = 1 << 20;   // the usual /proc/sys/fs/pipe-max-size
+  constexpr int kBytes = 1 << 20;  // the usual /proc/sys/fs/pipe-max-size
   static_cast<void>(fcntl(descriptor, F_SETPIPE_SZ, kBytes));
 #else
   static_cast<void>(descriptor);

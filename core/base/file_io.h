@@ -2,10 +2,10 @@
 #pragma once
 // read(2) and write(2) that finish: they go on after EINTR and short counts.
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <span>
-
-#include <sys/types.h>
 
 namespace burin::base {
 
@@ -14,8 +14,8 @@ namespace burin::base {
 [[nodiscard]] int WriteAll(int descriptor, std::span<const std::byte> bytes) noexcept;
 
 struct ReadCount {
-  std::size_t bytes = 0;   ///< less than asked for only at the end of the stream or on an error
-  int error = 0;           ///< errno
+  std::size_t bytes = 0;  ///< less than asked for only at the end of the stream or on an error
+  int error = 0;          ///< errno
 };
 
 /// Reads until `bytes` is full or the stream ends.

@@ -63,7 +63,7 @@ TemporaryId RegisterTemporary(const std::string& path) noexcept { return Tempora
 void UnregisterTemporary(TemporaryId id) noexcept { Temporaries().Remove(id); }
 
 void RemoveTemporaries() noexcept {
-  const int saved = errno;   // the interrupted code may be about to look at it
+  const int saved = errno;  // the interrupted code may be about to look at it
   Temporaries().UnlinkAll();
   errno = saved;
 }

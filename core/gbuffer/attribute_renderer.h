@@ -15,23 +15,24 @@
 
 namespace burin::gbuffer {
 
-/// One attribute to fill. Colour in a kSceneLinear target has associated (premultiplied) alpha, as EXR; in a kDisplay target
-/// it is encoded by the sRGB transfer function with unassociated alpha, as PNG. Other display transforms are the caller's:
-/// it asks for kSceneLinear in a float target and converts. Signed attributes are stored as 0.5x + 0.5 in kUnorm targets.
-/// Ids in kUnorm targets: n / (2^bits - 1) in one component; in several, n's digits to that base, least significant first in r.
+/// One attribute to fill. Colour in a kSceneLinear target has associated (premultiplied) alpha, as EXR; in a kDisplay
+/// target it is encoded by the sRGB transfer function with unassociated alpha, as PNG. Other display transforms are the
+/// caller's: it asks for kSceneLinear in a float target and converts. Signed attributes are stored as 0.5x + 0.5 in
+/// kUnorm targets. Ids in kUnorm targets: n / (2^bits - 1) in one component; in several, n's digits to that base, least
+/// significant first in r.
 struct Request {
   Attribute attribute = Attribute::kColor;
-  const gl::Texture* target = nullptr;    ///< its size is the size that is rendered (supersampling: larger)
-  image::Encoding encoding = image::Encoding::kSceneLinear;   ///< of colour attributes
+  const gl::Texture* target = nullptr;  ///< its size is the size that is rendered (supersampling: larger)
+  image::Encoding encoding = image::Encoding::kSceneLinear;  ///< of colour attributes
 };
 
 /// Everything about one frame that the renderer does not keep.
 struct FrameInput {
   scene::View view;
   scene::View previous_view;
-  const scene::Pose* pose = nullptr;              ///< for lights
+  const scene::Pose* pose = nullptr;  ///< for lights
   std::span<const scene::DrawItem> items;
-  glm::vec4 background{0.0f};                     ///< of `color`, scene-linear with associated alpha (--background)
+  glm::vec4 background{0.0f};  ///< of `color`, scene-linear with associated alpha (--background)
 };
 
 /// Draws one item's geometry with the caller's program bound; attributes at gl::VertexLocation.
@@ -39,14 +40,15 @@ struct GeometryDraw {
   glm::mat4 world_from_object{1.0f};
   int material = scene::kNone;
   std::uint32_t vertex_array = 0;
-  std::uint32_t mode = 0;                         ///< GLenum
-  int index_count = 0;                            ///< GL_UNSIGNED_INT indices from 0
+  std::uint32_t mode = 0;  ///< GLenum
+  int index_count = 0;     ///< GL_UNSIGNED_INT indices from 0
 };
 
 /// Renders G-buffer attributes of one scene. Static geometry is uploaded once; deformed vertices every frame.
 class SceneRenderer {
  public:
-  /// `environment`: equirectangular scene-linear RGB float image for --environment, or null for the built-in neutral one.
+  /// `environment`: equirectangular scene-linear RGB float image for --environment, or null for the built-in neutral
+  /// one.
   [[nodiscard]] static Result<std::unique_ptr<SceneRenderer>> Create(const scene::Scene& scene,
                                                                      const image::Image* environment);
   virtual ~SceneRenderer() = default;
@@ -57,14 +59,15 @@ class SceneRenderer {
 };
 
 /// Fills attributes from a picture (an image, a video's frame, an earlier effect's result): `color` and `video` are the
-/// picture, `intensity` and `alpha` follow from it, the others hold their background values. Sizes may differ (bilinear);
-/// at one size and one format the copy is bit-exact. `picture_encoding` says what `picture` holds.
+/// picture, `intensity` and `alpha` follow from it, the others hold their background values. Sizes may differ
+/// (bilinear); at one size and one format the copy is bit-exact. `picture_encoding` says what `picture` holds.
 class PictureRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PictureRenderer>> Create();
   virtual ~PictureRenderer() = default;
   /// True when the filled target would read exactly as `picture` does, so that the caller may use the picture instead.
-  [[nodiscard]] static bool CanAlias(const gl::Texture& picture, image::Encoding picture_encoding, const Request& request);
+  [[nodiscard]] static bool CanAlias(const gl::Texture& picture, image::Encoding picture_encoding,
+                                     const Request& request);
   [[nodiscard]] virtual Result<void> Render(const gl::Texture& picture, image::Encoding picture_encoding,
                                             std::span<const Request> requests) = 0;
 };

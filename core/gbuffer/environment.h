@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Light from all around, as the shading wants it: irradiance in spherical harmonics, reflections prefiltered by roughness.
-// Arrays in, arrays out; no GL.
+// Light from all around, as the shading wants it: irradiance in spherical harmonics, reflections prefiltered by
+// roughness. Arrays in, arrays out; no GL.
 //
-// An equirectangular map's centre lies at -z, where a camera without rotation looks; x grows to the right, the top is +y.
+// An equirectangular map's centre lies at -z, where a camera without rotation looks; x grows to the right, the top is
+// +y.
 
 #include <array>
-#include <vector>
-
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/image/image.h"
@@ -40,7 +40,7 @@ struct EnvironmentMap {
 /// i / (levels - 1) and has size face_size >> i.
 struct ReflectionMap {
   int face_size = 0;
-  std::vector<std::vector<glm::vec3>> levels;   ///< each: 6 faces of size * size
+  std::vector<std::vector<glm::vec3>> levels;  ///< each: 6 faces of size * size
 };
 [[nodiscard]] ReflectionMap FilterReflections(const EnvironmentMap& map, int face_size);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps" (SIGGRAPH 2001): equations 3
 // (basis), 10 (projection) and 8 (the cosine lobe's coefficients pi, 2 pi / 3, pi / 4, divided by pi here).
-#include <cmath>
-
-#include <glm/gtc/constants.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "core/gbuffer/environment.h"
 
@@ -39,7 +39,8 @@ void AddRow(const EnvironmentMap& map, int row, Coefficients& sum) {
     const std::array<double, 9> basis =
         Basis(cosine * std::sin(longitude), std::sin(latitude), -cosine * std::cos(longitude));
     const glm::dvec3 light = glm::dvec3(map.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
-                                                   static_cast<std::size_t>(column)]) * solid_angle;
+                                                   static_cast<std::size_t>(column)]) *
+                             solid_angle;
     for (std::size_t i = 0; i < 9; ++i) sum[i] += light * basis[i];
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/environment_light.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <bit>
-
-#include <epoxy/gl.h>
 
 #include "core/gl/debug.h"
 
@@ -12,11 +12,12 @@ namespace burin::gbuffer {
 namespace {
 
 constexpr int kLargestFace = 256;
-constexpr int kBuiltinFace = 64;   // the studio's lamps have soft rims
+constexpr int kBuiltinFace = 64;  // the studio's lamps have soft rims
 
 // A face covers a quarter of the map's width.
 int FaceSize(const EnvironmentMap& map) {
-  return std::clamp(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, map.width / 4)))), 16, kLargestFace);
+  return std::clamp(static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, map.width / 4)))), 16,
+                    kLargestFace);
 }
 
 gl::TextureHandle Upload(const ReflectionMap& reflections) {

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
-
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "core/gbuffer/environment.h"
 #include "core/gl/handle.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
@@ -12,22 +11,27 @@ namespace burin::gbuffer {
 namespace {
 
 constexpr float kPi = glm::pi<float>();
-constexpr float kMaxRadiance = 65504.0f;   // reflections are kept as halves
+constexpr float kMaxRadiance = 65504.0f;  // reflections are kept as halves
 
 float SrgbDecode(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 float Sample(const image::Image& image, std::size_t i) {
   switch (image.type) {
-    case image::SampleType::kU8: return static_cast<float>(image.As<std::uint8_t>()[i]) / 255.0f;
-    case image::SampleType::kU16: return static_cast<float>(image.As<std::uint16_t>()[i]) / 65535.0f;
-    case image::SampleType::kU32: return static_cast<float>(image.As<std::uint32_t>()[i]);
-    case image::SampleType::kF16: return glm::unpackHalf1x16(image.As<std::uint16_t>()[i]);
-    case image::SampleType::kF32: return image.As<float>()[i];
+    case image::SampleType::kU8:
+      return static_cast<float>(image.As<std::uint8_t>()[i]) / 255.0f;
+    case image::SampleType::kU16:
+      return static_cast<float>(image.As<std::uint16_t>()[i]) / 65535.0f;
+    case image::SampleType::kU32:
+      return static_cast<float>(image.As<std::uint32_t>()[i]);
+    case image::SampleType::kF16:
+      return glm::unpackHalf1x16(image.As<std::uint16_t>()[i]);
+    case image::SampleType::kF32:
+      return image.As<float>()[i];
   }
   return 0.0f;
 }
 
-float Clean(float value) { return value > 0.0f ? std::min(value, kMaxRadiance) : 0.0f; }   // NaN fails the test
+float Clean(float value) { return value > 0.0f ? std::min(value, kMaxRadiance) : 0.0f; }  // NaN fails the test
 
 float SmoothStep(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -89,7 +93,8 @@ glm::vec3 SampleEnvironment(const EnvironmentMap& map, const glm::vec3& directio
   const float fy = y - static_cast<float>(y0);
   const auto at = [&](int column, int row) {
     const int wrapped = column < 0 ? column + map.width : column >= map.width ? column - map.width : column;
-    return map.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(wrapped)];
+    return map.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                      static_cast<std::size_t>(wrapped)];
   };
   const glm::vec3 top = at(x0, y0) * (1.0f - fx) + at(x0 + 1, y0) * fx;
   const glm::vec3 bottom = at(x0, y1) * (1.0f - fx) + at(x0 + 1, y1) * fx;

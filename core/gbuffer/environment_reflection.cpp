@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Karis, "Real Shading in Unreal Engine 4" (SIGGRAPH 2013 course): the prefiltered half of the split sum, view and normal
-// taken along the reflection. Krivanek and Colbert, "Real-Time Shading with Filtered Importance Sampling" (EGSR 2008),
-// equation 5 for the mip level of each sample, so that few samples give no noise.
+// Karis, "Real Shading in Unreal Engine 4" (SIGGRAPH 2013 course): the prefiltered half of the split sum, view and
+// normal taken along the reflection. Krivanek and Colbert, "Real-Time Shading with Filtered Importance Sampling" (EGSR
+// 2008), equation 5 for the mip level of each sample, so that few samples give no noise.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <tbb/parallel_for.h>
 
 #include "core/gbuffer/environment.h"
 
@@ -22,7 +22,7 @@ constexpr int kSmallestFace = 8;
 // A cube map on the CPU: looked up without any of the equirectangular map's arc functions.
 struct Cube {
   int size = 0;
-  std::vector<glm::vec3> texels;   ///< 6 faces of size * size
+  std::vector<glm::vec3> texels;  ///< 6 faces of size * size
 
   [[nodiscard]] const glm::vec3& At(int face, int x, int y) const {
     return texels[static_cast<std::size_t>((face * size + y) * size + x)];
@@ -32,23 +32,30 @@ struct Cube {
 // OpenGL 4.5 core, table 8.19. s and t in -1..1.
 glm::vec3 FaceDirection(int face, float s, float t) {
   switch (face) {
-    case 0: return {1.0f, -t, -s};
-    case 1: return {-1.0f, -t, s};
-    case 2: return {s, 1.0f, t};
-    case 3: return {s, -1.0f, -t};
-    case 4: return {s, -t, 1.0f};
-    default: return {-s, -t, -1.0f};
+    case 0:
+      return {1.0f, -t, -s};
+    case 1:
+      return {-1.0f, -t, s};
+    case 2:
+      return {s, 1.0f, t};
+    case 3:
+      return {s, -1.0f, -t};
+    case 4:
+      return {s, -t, 1.0f};
+    default:
+      return {-s, -t, -1.0f};
   }
 }
 
-template <class Function>   // of a unit direction
+template <class Function>  // of a unit direction
 Cube FillCube(int size, Function&& value) {
   Cube cube{.size = size, .texels = std::vector<glm::vec3>(static_cast<std::size_t>(6 * size * size))};
   tbb::parallel_for(0, 6 * size, [&](int row) {
     const float t = 2.0f * (static_cast<float>(row % size) + 0.5f) / static_cast<float>(size) - 1.0f;
     for (int column = 0; column < size; ++column) {
       const float s = 2.0f * (static_cast<float>(column) + 0.5f) / static_cast<float>(size) - 1.0f;
-      cube.texels[static_cast<std::size_t>(row * size + column)] = value(glm::normalize(FaceDirection(row / size, s, t)));
+      cube.texels[static_cast<std::size_t>(row * size + column)] =
+          value(glm::normalize(FaceDirection(row / size, s, t)));
     }
   });
   return cube;
@@ -105,9 +112,9 @@ glm::vec3 SampleCube(const Cube& cube, const glm::vec3& d) {
 }
 
 struct LobeSample {
-  glm::vec3 direction;   ///< around +z
+  glm::vec3 direction;  ///< around +z
   float weight;
-  float level;           ///< of the mip chain
+  float level;  ///< of the mip chain
 };
 
 // The radical inverse in base 2 (van der Corput), for Hammersley's points.
@@ -131,7 +138,7 @@ std::vector<LobeSample> LobeSamples(float roughness, int face_size) {
     const glm::vec3 light(2.0f * half.z * half.x, 2.0f * half.z * half.y, 2.0f * half.z * half.z - 1.0f);
     if (light.z <= 0.0f) continue;
     const float d = cosine * cosine * (alpha * alpha - 1.0f) + 1.0f;
-    const float density = alpha * alpha / (kPi * d * d) / 4.0f;   // D (n.h) / (4 v.h), with v = n
+    const float density = alpha * alpha / (kPi * d * d) / 4.0f;  // D (n.h) / (4 v.h), with v = n
     const float solid_angle = 1.0f / (kSamples * density);
     const float level = std::max(0.0f, 0.5f * std::log2(solid_angle / texel));
     samples.push_back({light, light.z, level});
@@ -179,9 +186,10 @@ ReflectionMap FilterReflections(const EnvironmentMap& map, int face_size) {
   const int levels = std::max(2, static_cast<int>(std::bit_width(static_cast<unsigned>(face_size / kSmallestFace))));
   result.levels.push_back(chain.front().texels);
   for (int level = 1; level < levels; ++level) {
-    const std::vector<LobeSample> lobe = LobeSamples(static_cast<float>(level) / static_cast<float>(levels - 1), face_size);
-    Cube filtered = FillCube(std::max(1, face_size >> level),
-                             [&](const glm::vec3& axis) { return Filter(chain, lobe, axis); });
+    const std::vector<LobeSample> lobe =
+        LobeSamples(static_cast<float>(level) / static_cast<float>(levels - 1), face_size);
+    Cube filtered =
+        FillCube(std::max(1, face_size >> level), [&](const glm::vec3& axis) { return Filter(chain, lobe, axis); });
     result.levels.push_back(std::move(filtered.texels));
   }
   return result;

@@ -2,7 +2,6 @@
 #include "core/gbuffer/frame_blocks.h"
 
 #include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -10,8 +9,8 @@
 namespace burin::gbuffer {
 namespace {
 
-// Proportional to the inverse transpose, and defined for flattened objects too: the matrix of cofactors, whose columns are
-// the cross products of the others.
+// Proportional to the inverse transpose, and defined for flattened objects too: the matrix of cofactors, whose columns
+// are the cross products of the others.
 std::array<glm::vec3, 3> NormalColumns(const glm::mat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }

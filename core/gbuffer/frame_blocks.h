@@ -9,8 +9,8 @@
 
 namespace burin::gbuffer {
 
-/// The projection with depth turned round: 1 at the near plane, 0 at the far one, so that floating-point depth is fine far
-/// away too (Reed, "Depth Precision Visualized", 2015). Rows x, y, w stay.
+/// The projection with depth turned round: 1 at the near plane, 0 at the far one, so that floating-point depth is fine
+/// far away too (Reed, "Depth Precision Visualized", 2015). Rows x, y, w stay.
 [[nodiscard]] glm::mat4 ReverseDepth(const scene::View& view);
 
 /// Camera and key light; the environment's members are the caller's.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/geometry_pass.h"
 
-#include <algorithm>
-#include <optional>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
 
 #include "core/gbuffer/gpu_blocks.h"
 
@@ -82,7 +82,8 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
                       static_cast<GLintptr>(draw.block * AlignBlock(sizeof(DrawBlock))), sizeof(DrawBlock));
     glBindVertexArray(draw.primitive->vertex_array.id());
     SetCulling(draw);
-    const bool both_sides = phase == Phase::kBlendedColor && draw.is_double_sided && draw.primitive->mode == GL_TRIANGLES;
+    const bool both_sides =
+        phase == Phase::kBlendedColor && draw.is_double_sided && draw.primitive->mode == GL_TRIANGLES;
     both_sides ? DrawBacksThenFronts(draw) : DrawElements(draw);
   }
   return {};
@@ -90,10 +91,11 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
 
 Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials) {
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GEQUAL);   // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
+  glDepthFunc(GL_GEQUAL);  // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
   glDepthMask(GL_TRUE);
   glCullFace(GL_BACK);
-  if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result) return result;
+  if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result)
+    return result;
   if (draws.blended.empty()) return {};
 
   glDepthMask(GL_FALSE);

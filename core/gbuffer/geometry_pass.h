@@ -18,9 +18,9 @@ namespace burin::gbuffer {
 struct PreparedDraw {
   const GpuPrimitive* primitive = nullptr;
   int material = scene::kNone;
-  std::uint32_t features = 0;       ///< of material and primitive
-  std::size_t block = 0;            ///< index of its DrawBlock
-  float view_depth = 0.0f;          ///< of its centre
+  std::uint32_t features = 0;  ///< of material and primitive
+  std::size_t block = 0;       ///< index of its DrawBlock
+  float view_depth = 0.0f;     ///< of its centre
   bool is_blend = false;
   bool is_double_sided = false;
   bool is_mirrored = false;
@@ -30,7 +30,7 @@ struct PreparedDraw {
 struct FrameDraws {
   std::vector<PreparedDraw> opaque;
   std::vector<PreparedDraw> blended;
-  std::uint32_t block_buffer = 0;   ///< GL name; DrawBlocks every AlignBlock(sizeof(DrawBlock)) bytes
+  std::uint32_t block_buffer = 0;  ///< GL name; DrawBlocks every AlignBlock(sizeof(DrawBlock)) bytes
 };
 
 /// Draws a frame into one set of outputs. Programs are made when a kind of draw first occurs.

@@ -2,10 +2,10 @@
 // Cotangent frame without tangents: Schueler, "Normal Mapping without Precomputed Tangents" (ShaderX 5, 2006).
 #include "core/gbuffer/geometry_shader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 #include "core/gbuffer/gpu_blocks.h"
 #include "core/gbuffer/shading_glsl.h"
@@ -244,7 +244,8 @@ const Source& SourceOf(Attribute attribute) { return *std::ranges::find(kSources
 std::string OutputStatement(const Output& output) {
   const std::string target = fmt::format("out{}", output.location);
   if (output.is_blended) return fmt::format("  {} = color;\n", target);
-  return fmt::format("  {} = {};\n", target, StoreExpression(output.storage, SourceOf(output.storage.attribute).expression));
+  return fmt::format("  {} = {};\n", target,
+                     StoreExpression(output.storage, SourceOf(output.storage.attribute).expression));
 }
 
 bool NeedsColor(const std::vector<Output>& outputs) {
@@ -257,7 +258,7 @@ bool NeedsColor(const std::vector<Output>& outputs) {
 }  // namespace
 
 std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features) {
-  constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;   // a discarded fragment is missing from every attribute
+  constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;  // a discarded fragment is missing from every attribute
   std::uint32_t relevant = kDiscards | kIsBlendedColor;
   if ((features & kDiscards) != 0) relevant |= kHasBaseColorTexture;
   for (const Output& output : outputs) {
@@ -270,8 +271,9 @@ std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t
     }
   }
   // Without a normal map the tangent frame serves only the tangent itself.
-  const bool wants_tangent = std::ranges::any_of(
-      outputs, [](const Output& output) { return output.storage.attribute == Attribute::kTangent && !output.is_blended; });
+  const bool wants_tangent = std::ranges::any_of(outputs, [](const Output& output) {
+    return output.storage.attribute == Attribute::kTangent && !output.is_blended;
+  });
   if ((features & relevant & kHasNormalTexture) == 0 && !wants_tangent) relevant &= ~(kHasTangents | kHasTexcoords);
   if ((features & relevant & kHasTangents) != 0) relevant &= ~kHasTexcoords;
   return features & relevant;

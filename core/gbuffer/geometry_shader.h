@@ -18,12 +18,12 @@ enum DrawFeature : std::uint32_t {
   kHasOcclusionTexture = 1u << 3,
   kHasEmissiveTexture = 1u << 4,
   kIsUnlit = 1u << 5,
-  kIsMasked = 1u << 6,         ///< alpha mode MASK
+  kIsMasked = 1u << 6,  ///< alpha mode MASK
   kHasNormals = 1u << 7,
   kHasTangents = 1u << 8,
   kHasTexcoords = 1u << 9,
-  kHasLights = 1u << 10,       ///< of the scene
-  kIsBlend = 1u << 11,         ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
+  kHasLights = 1u << 10,  ///< of the scene
+  kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
 };
 

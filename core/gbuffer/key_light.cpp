@@ -13,7 +13,8 @@ std::vector<int> LightNodes(const scene::Scene& scene) {
   std::vector<int> nodes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const int light = scene.nodes[i].light;
-    if (shown[i] && light >= 0 && static_cast<std::size_t>(light) < scene.lights.size()) nodes.push_back(static_cast<int>(i));
+    if (shown[i] && light >= 0 && static_cast<std::size_t>(light) < scene.lights.size())
+      nodes.push_back(static_cast<int>(i));
   }
   return nodes;
 }

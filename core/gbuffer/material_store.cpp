@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/material_store.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include "core/gbuffer/geometry_shader.h"
 #include "core/gbuffer/material_texture.h"
@@ -20,7 +20,7 @@ constexpr float kMaxAnisotropy = 8.0f;
 struct TextureRole {
   const scene::TextureUse scene::Material::*use;
   DrawFeature feature;
-  bool is_color;   ///< sRGB by glTF's definition
+  bool is_color;  ///< sRGB by glTF's definition
 };
 // In the order of MaterialTexture.
 constexpr std::array<TextureRole, kMaterialTextures> kRoles = {{
@@ -33,9 +33,12 @@ constexpr std::array<TextureRole, kMaterialTextures> kRoles = {{
 
 GLint WrapOf(scene::Wrap wrap) {
   switch (wrap) {
-    case scene::Wrap::kRepeat: return GL_REPEAT;
-    case scene::Wrap::kClampToEdge: return GL_CLAMP_TO_EDGE;
-    case scene::Wrap::kMirroredRepeat: return GL_MIRRORED_REPEAT;
+    case scene::Wrap::kRepeat:
+      return GL_REPEAT;
+    case scene::Wrap::kClampToEdge:
+      return GL_CLAMP_TO_EDGE;
+    case scene::Wrap::kMirroredRepeat:
+      return GL_MIRRORED_REPEAT;
   }
   return GL_REPEAT;
 }
@@ -70,7 +73,7 @@ MaterialBlock MakeMaterialBlock(const scene::Material& material) {
   block.base_color = material.base_color;
   block.emissive = glm::vec4(material.emissive, material.alpha_cutoff);
   block.factors = glm::vec4(material.metallic, material.roughness, material.normal_scale, material.occlusion_strength);
-  const float ratio = (material.ior - 1.0f) / (material.ior + 1.0f);   // Fresnel at normal incidence, from air
+  const float ratio = (material.ior - 1.0f) / (material.ior + 1.0f);  // Fresnel at normal incidence, from air
   block.reflectance = glm::vec4(ratio * ratio);
   for (std::size_t i = 0; i < kMaterialTextures; ++i) {
     const scene::TextureUse& use = material.*kRoles[i].use;

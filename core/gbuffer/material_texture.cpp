@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/material_texture.h"
 
+#include <epoxy/gl.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
-
-#include <epoxy/gl.h>
 
 namespace burin::gbuffer {
 namespace {
@@ -47,7 +47,8 @@ Result<gl::Texture> UploadMaterialTexture(const image::Image& image, bool is_col
   if (image.width == 0 || image.height == 0) return UploadMaterialTexture(WhiteTexel(), is_color, label);
   const bool is_encoded = is_color && image.encoding == image::Encoding::kDisplay;
   const bool is_srgb = is_encoded && image.type == image::SampleType::kU8;
-  Result<gl::Texture> texture = gl::Texture::Create(FourComponents(image, is_srgb), image.width, image.height, 0, label);
+  Result<gl::Texture> texture =
+      gl::Texture::Create(FourComponents(image, is_srgb), image.width, image.height, 0, label);
   if (!texture) return texture;
   texture->Upload(is_encoded && image.type == image::SampleType::kU16 ? Decode16(image) : image);
   texture->GenerateMipmaps();

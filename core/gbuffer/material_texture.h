@@ -9,8 +9,9 @@
 
 namespace burin::gbuffer {
 
-/// A material's image with its mipmaps. `is_color`: display-encoded images are decoded by the sRGB transfer function, so that
-/// look-ups give scene-linear light and filter in it. An empty image becomes one white texel.
-[[nodiscard]] Result<gl::Texture> UploadMaterialTexture(const image::Image& image, bool is_color, std::string_view label);
+/// A material's image with its mipmaps. `is_color`: display-encoded images are decoded by the sRGB transfer function,
+/// so that look-ups give scene-linear light and filter in it. An empty image becomes one white texel.
+[[nodiscard]] Result<gl::Texture> UploadMaterialTexture(const image::Image& image, bool is_color,
+                                                        std::string_view label);
 
 }  // namespace burin::gbuffer

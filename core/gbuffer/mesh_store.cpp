@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/mesh_store.h"
 
-#include <algorithm>
-#include <span>
-#include <vector>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <glm/common.hpp>
+#include <span>
+#include <vector>
 
 #include "core/gl/debug.h"
 #include "core/gl/vertex_layout.h"
@@ -62,7 +62,8 @@ gl::VertexArrayHandle NewVertexArray(GLuint indices) {
 void Fill(GLuint buffer, std::span<const Stream> streams) {
   std::size_t offset = 0;
   for (const Stream& stream : streams) {
-    glNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(stream.bytes.size()), stream.bytes.data());
+    glNamedBufferSubData(buffer, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(stream.bytes.size()),
+                         stream.bytes.data());
     offset += stream.bytes.size();
   }
 }
@@ -107,9 +108,12 @@ std::vector<Stream> ShapeStreams(const scene::Primitive& primitive, const scene:
 
 GLenum ModeOf(scene::PrimitiveMode mode) {
   switch (mode) {
-    case scene::PrimitiveMode::kPoints: return GL_POINTS;
-    case scene::PrimitiveMode::kLines: return GL_LINES;
-    case scene::PrimitiveMode::kTriangles: return GL_TRIANGLES;
+    case scene::PrimitiveMode::kPoints:
+      return GL_POINTS;
+    case scene::PrimitiveMode::kLines:
+      return GL_LINES;
+    case scene::PrimitiveMode::kTriangles:
+      return GL_TRIANGLES;
   }
   return GL_TRIANGLES;
 }
@@ -170,8 +174,8 @@ Result<GpuPrimitive> Upload(const scene::Primitive& source, const scene::DrawIte
 }  // namespace
 
 Result<const GpuPrimitive*> MeshStore::Prepare(const scene::DrawItem& item, bool wants_center) {
-  const scene::Primitive& source = scene_->meshes.at(static_cast<std::size_t>(item.mesh))
-                                       .primitives.at(static_cast<std::size_t>(item.primitive));
+  const scene::Primitive& source =
+      scene_->meshes.at(static_cast<std::size_t>(item.mesh)).primitives.at(static_cast<std::size_t>(item.primitive));
   const std::tuple key(item.is_deformed, item.is_deformed ? item.node : item.mesh, item.primitive);
   auto found = primitives_.find(key);
   if (found == primitives_.end()) {

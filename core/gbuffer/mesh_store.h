@@ -3,10 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
 #include <tuple>
-
-#include <glm/vec3.hpp>
 
 #include "core/base/error.h"
 #include "core/gl/handle.h"
@@ -18,20 +17,21 @@ namespace burin::gbuffer {
 /// A primitive on the device. Attributes at gl::VertexLocation; the previous position at TEXCOORD7's place, in
 /// `vertex_array` only.
 struct GpuPrimitive {
-  gl::BufferHandle vertices;             ///< what never changes
+  gl::BufferHandle vertices;  ///< what never changes
   gl::BufferHandle indices;
-  gl::BufferHandle deformed;             ///< positions, previous positions, normals, tangents of this frame
+  gl::BufferHandle deformed;  ///< positions, previous positions, normals, tangents of this frame
   gl::VertexArrayHandle vertex_array;
-  gl::VertexArrayHandle effect_vertex_array;   ///< for an effect's own shaders
-  std::uint32_t mode = 0;                ///< GLenum
+  gl::VertexArrayHandle effect_vertex_array;  ///< for an effect's own shaders
+  std::uint32_t mode = 0;                     ///< GLenum
   int index_count = 0;
   bool has_normals = false;
   bool has_tangents = false;
   bool has_texcoords = false;
-  glm::vec3 center{0.0f};                ///< of the bounds, in the space of the draw's vertices
+  glm::vec3 center{0.0f};  ///< of the bounds, in the space of the draw's vertices
 };
 
-/// Uploads primitives when they are first drawn: one copy for all nodes that show a mesh, one a node where it is deformed.
+/// Uploads primitives when they are first drawn: one copy for all nodes that show a mesh, one a node where it is
+/// deformed.
 class MeshStore {
  public:
   explicit MeshStore(const scene::Scene& scene) : scene_(&scene) {}
@@ -42,7 +42,7 @@ class MeshStore {
 
  private:
   const scene::Scene* scene_;
-  std::map<std::tuple<bool, int, int>, GpuPrimitive> primitives_;   // deformed?, node or mesh, primitive
+  std::map<std::tuple<bool, int, int>, GpuPrimitive> primitives_;  // deformed?, node or mesh, primitive
 };
 
 /// Values that vertex shaders read where a mesh has no array: white vertex colours, zeros.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/request_groups.h"
@@ -22,7 +22,8 @@ layout(location = 0) in vec4 position;
 void main() { gl_Position = position; }
 )";
 
-// Filtered with associated alpha, so that hidden colours don't leak; by hand, since filtering units keep 8 bits of weight.
+// Filtered with associated alpha, so that hidden colours don't leak; by hand, since filtering units keep 8 bits of
+// weight.
 constexpr std::string_view kFetchFiltered = R"(
 vec4 Texel(ivec2 p) {
   vec4 c = texelFetch(picture, clamp(p, ivec2(0), textureSize(picture, 0) - 1), 0);
@@ -60,15 +61,23 @@ std::string FragmentText(const ProgramKey& key) {
   text += key.same_size ? kFetchSame : kFetchFiltered;
   text += "void main() {\n  vec4 stored = Fetch();\n";
   switch (key.picture_encoding) {
-    case image::Encoding::kDisplay: text += "  vec4 display = stored, scene = SceneFromDisplay(stored);\n"; break;
-    case image::Encoding::kSceneLinear: text += "  vec4 display = DisplayFromScene(stored), scene = stored;\n"; break;
-    case image::Encoding::kData: text += "  vec4 display = stored, scene = stored;\n"; break;
+    case image::Encoding::kDisplay:
+      text += "  vec4 display = stored, scene = SceneFromDisplay(stored);\n";
+      break;
+    case image::Encoding::kSceneLinear:
+      text += "  vec4 display = DisplayFromScene(stored), scene = stored;\n";
+      break;
+    case image::Encoding::kData:
+      text += "  vec4 display = stored, scene = stored;\n";
+      break;
   }
   for (std::size_t i = 0; i < key.storages.size(); ++i) {
     const bool wants_display = key.storages[i].encoding == image::Encoding::kDisplay;
     const bool wants_data = key.storages[i].encoding == image::Encoding::kData;
     text += fmt::format("  out{} = {};\n", i,
-                        StorePictureExpression(key.storages[i], wants_data ? "stored" : wants_display ? "display" : "scene"));
+                        StorePictureExpression(key.storages[i], wants_data      ? "stored"
+                                                                : wants_display ? "display"
+                                                                                : "scene"));
   }
   return text + "}\n";
 }
@@ -87,8 +96,8 @@ bool CanCopy(const gl::Texture& picture, image::Encoding encoding, const Request
   const gl::Texture& target = *request.target;
   const gl::Format& from = picture.format();
   const gl::Format& to = target.format();
-  const bool same_meaning = encoding == request.encoding || encoding == image::Encoding::kData ||
-                            request.encoding == image::Encoding::kData;
+  const bool same_meaning =
+      encoding == request.encoding || encoding == image::Encoding::kData || request.encoding == image::Encoding::kData;
   return same_meaning && picture.width() == target.width() && picture.height() == target.height() &&
          from.internal == to.internal && SameColors(from, to) && (from.swizzle[3] == to.swizzle[3] || HidesAlpha(to));
 }
@@ -97,7 +106,8 @@ class Renderer final : public PictureRenderer {
  public:
   explicit Renderer(gl::FullscreenQuad quad) : quad_(std::move(quad)) {}
 
-  Result<void> Render(const gl::Texture& picture, image::Encoding encoding, std::span<const Request> requests) override {
+  Result<void> Render(const gl::Texture& picture, image::Encoding encoding,
+                      std::span<const Request> requests) override {
     gl::ResetState();
     std::vector<Request> drawn;
     for (const Request& request : requests) {
@@ -107,8 +117,8 @@ class Renderer final : public PictureRenderer {
         const std::array<float, 4> value = StoredBackground(storage, {0, 0, 0, 0});
         glClearTexImage(target.id(), 0, GL_RGBA, GL_FLOAT, value.data());
       } else if (CanCopy(picture, encoding, request)) {
-        glCopyImageSubData(picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0, 0, 0, 0, picture.width(),
-                           picture.height(), 1);
+        glCopyImageSubData(picture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                           picture.width(), picture.height(), 1);
       } else {
         drawn.push_back(request);
       }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/request_groups.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
+
+#include <algorithm>
 
 namespace burin::gbuffer {
 
@@ -21,7 +21,8 @@ std::vector<std::vector<Request>> GroupRequests(std::span<const Request> request
   for (const Request& request : requests) {
     const auto fits = [&](const std::vector<Request>& group) {
       const gl::Texture& target = *group.front().target;
-      return group.size() < most && target.width() == request.target->width() && target.height() == request.target->height();
+      return group.size() < most && target.width() == request.target->width() &&
+             target.height() == request.target->height();
     };
     const auto group = std::ranges::find_if(groups, fits);
     if (group == groups.end()) {

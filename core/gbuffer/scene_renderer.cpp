@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <cstring>
 #include <list>
 #include <map>
 #include <utility>
-
-#include <epoxy/gl.h>
 
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/environment_light.h"
@@ -40,7 +40,8 @@ void Fill(const gl::BufferHandle& buffer, const void* data, std::size_t bytes) {
 
 class Renderer final : public SceneRenderer {
  public:
-  Renderer(const scene::Scene& scene, std::optional<EnvironmentMap> environment, std::unique_ptr<PictureRenderer> resolver)
+  Renderer(const scene::Scene& scene, std::optional<EnvironmentMap> environment,
+           std::unique_ptr<PictureRenderer> resolver)
       : scene_(&scene),
         environment_(std::move(environment)),
         resolver_(std::move(resolver)),
@@ -57,12 +58,14 @@ class Renderer final : public SceneRenderer {
  private:
   struct Buffers {
     gl::Texture depth;
-    gl::Texture color;   ///< scene-linear, for blending; only made where it is needed
+    gl::Texture color;  ///< scene-linear, for blending; only made where it is needed
   };
 
   Result<FrameDraws> Prepare(const FrameInput& frame);
-  Result<std::vector<Request>> TakeOverColor(std::span<const Request> requests, std::map<Size, std::vector<Request>>& resolves);
-  Result<void> RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group, bool blends);
+  Result<std::vector<Request>> TakeOverColor(std::span<const Request> requests,
+                                             std::map<Size, std::vector<Request>>& resolves);
+  Result<void> RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group,
+                           bool blends);
   void BindFrame(const FrameInput& frame, Size size, bool wants_color);
   Result<Buffers*> BuffersOf(Size size, bool wants_color);
   GeometryPass& PassOf(std::vector<Output> outputs);
@@ -105,7 +108,8 @@ Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
     draw.features |= draw.primitive->has_normals ? kHasNormals : kIsUnlit;
     if (draw.primitive->has_tangents) draw.features |= kHasTangents;
     if (draw.primitive->has_texcoords) draw.features |= kHasTexcoords;
-    draw.view_depth = -(frame.view.view_from_world * item.world_from_object * glm::vec4(draw.primitive->center, 1.0f)).z;
+    draw.view_depth =
+        -(frame.view.view_from_world * item.world_from_object * glm::vec4(draw.primitive->center, 1.0f)).z;
 
     const DrawBlock block = MakeDrawBlock(item);
     std::memcpy(blocks.data() + i * stride, &block, sizeof(block));
@@ -125,8 +129,8 @@ Result<Renderer::Buffers*> Renderer::BuffersOf(Size size, bool wants_color) {
     buffers.depth = std::move(*depth);
   }
   if (wants_color && !buffers.color) {
-    Result<gl::Texture> color = gl::Texture::Create(gl::PlainFormat(gl::Numeric::kFloat, 32, 4), size.first, size.second, 1,
-                                                    "geometry pass: blended colour");
+    Result<gl::Texture> color = gl::Texture::Create(gl::PlainFormat(gl::Numeric::kFloat, 32, 4), size.first,
+                                                    size.second, 1, "geometry pass: blended colour");
     if (!color) return std::unexpected(color.error());
     buffers.color = std::move(*color);
   }
@@ -143,8 +147,8 @@ GeometryPass& Renderer::PassOf(std::vector<Output> outputs) {
   return found != passes_.end() ? *found : passes_.emplace_back(std::move(outputs));
 }
 
-// Blending needs scene-linear colour with associated alpha: colour, intensity and alpha of one size become one request for
-// such a target, and are resolved from it afterwards.
+// Blending needs scene-linear colour with associated alpha: colour, intensity and alpha of one size become one request
+// for such a target, and are resolved from it afterwards.
 Result<std::vector<Request>> Renderer::TakeOverColor(std::span<const Request> requests,
                                                      std::map<Size, std::vector<Request>>& resolves) {
   std::vector<Request> taken;
@@ -197,7 +201,8 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   }
   const Result<gl::Framebuffer> framebuffer = gl::Framebuffer::Create(targets, &(*buffers)->depth, "geometry pass");
   if (!framebuffer) return std::unexpected(framebuffer.error());
-  const std::array<float, 4> background = {frame.background.r, frame.background.g, frame.background.b, frame.background.a};
+  const std::array<float, 4> background = {frame.background.r, frame.background.g, frame.background.b,
+                                           frame.background.a};
   for (const Output& output : outputs) {
     const std::array<float, 4> value = StoredBackground(output.storage, background);
     glClearNamedFramebufferfv(framebuffer->id(), GL_COLOR, output.location, value.data());
@@ -219,7 +224,8 @@ Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> 
       drawn.push_back(request);
       continue;
     }
-    const std::array<float, 4> empty = StoredBackground({request.attribute, request.target->format(), request.encoding}, {});
+    const std::array<float, 4> empty =
+        StoredBackground({request.attribute, request.target->format(), request.encoding}, {});
     glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
   }
   if (drawn.empty()) return {};
@@ -265,7 +271,8 @@ Result<std::vector<GeometryDraw>> Renderer::Draws(const FrameInput& frame) {
 
 }  // namespace
 
-Result<std::unique_ptr<SceneRenderer>> SceneRenderer::Create(const scene::Scene& scene, const image::Image* environment) {
+Result<std::unique_ptr<SceneRenderer>> SceneRenderer::Create(const scene::Scene& scene,
+                                                             const image::Image* environment) {
   std::optional<EnvironmentMap> map;
   if (environment != nullptr) {
     Result<EnvironmentMap> read = EnvironmentFromImage(*environment);

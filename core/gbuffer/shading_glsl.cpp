@@ -2,8 +2,9 @@
 // glTF 2.0, appendix B: the metallic-roughness BRDF.
 //   D: Walter et al. 2007, GGX. V: Heitz 2014, "Understanding the Masking-Shadowing Function", height-correlated Smith.
 //   F: Schlick 1994. Split sum: Karis 2014, "Physically Based Shading on Mobile", an analytic fit instead of a table.
-//   Lost energy of rough reflections: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image-based
-//   Lighting", equations 16 to 20; what is not reflected lights the diffuse part, so a white surface in a white room is white.
+//   Lost energy of rough reflections: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time
+//   Image-based Lighting", equations 16 to 20; what is not reflected lights the diffuse part, so a white surface in a
+//   white room is white.
 // Lights: KHR_lights_punctual, its window for ranges and its smooth cone.
 #include "core/gbuffer/shading_glsl.h"
 

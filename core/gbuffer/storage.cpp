@@ -2,13 +2,13 @@
 // Transfer functions: IEC 61966-2-1 (sRGB). Luma weights: ITU-R BT.709.
 #include "core/gbuffer/storage.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 namespace burin::gbuffer {
 namespace {
@@ -51,7 +51,9 @@ bool IsDisplay(const Storage& storage) {
 
 bool IsUnorm(const Storage& storage) { return storage.format.numeric == gl::Numeric::kUnorm; }
 
-bool IsHalf(const Storage& storage) { return storage.format.numeric == gl::Numeric::kFloat && storage.format.bits == 16; }
+bool IsHalf(const Storage& storage) {
+  return storage.format.numeric == gl::Numeric::kFloat && storage.format.bits == 16;
+}
 
 // Which stored component holds the alpha of a luminance format: "a" for A8L8 in four components, "g" in two.
 char AlphaSlot(const gl::Format& format) {
@@ -79,7 +81,8 @@ std::vector<Digit> IdDigits(const gl::Format& format) {
     add('r');
     if (const char slot = AlphaSlot(format); slot != 0) add(slot);
   } else {
-    for (const char slot : std::string_view("rgb").substr(0, static_cast<std::size_t>(std::min(format.components, 3)))) add(slot);
+    for (const char slot : std::string_view("rgb").substr(0, static_cast<std::size_t>(std::min(format.components, 3))))
+      add(slot);
   }
   return digits;
 }
@@ -96,7 +99,8 @@ std::string StoreUnormId(const Storage& storage, std::string_view id) {
   for (const Digit& digit : digits) total += digit.bits;
   // Ids over the range start again at 1, so that neighbours stay apart and none looks like the background.
   const std::string wrapped =
-      total >= 32 ? std::string(id) : fmt::format("(({0}) == 0u ? 0u : (({0}) - 1u) % {1}u + 1u)", id, (1ull << total) - 1);
+      total >= 32 ? std::string(id)
+                  : fmt::format("(({0}) == 0u ? 0u : (({0}) - 1u) % {1}u + 1u)", id, (1ull << total) - 1);
   std::array<std::string, 4> slots = {"0.0", "0.0", "0.0", "1.0"};
   int shift = 0;
   for (const Digit& digit : digits) {
@@ -112,10 +116,14 @@ std::string StoreUnormId(const Storage& storage, std::string_view id) {
 std::string Expand(const Storage& storage, std::string_view value, bool halve) {
   const std::string v = halve ? fmt::format("(({}) * 0.5 + 0.5)", value) : fmt::format("({})", value);
   switch (Info(storage.attribute).components) {
-    case 1: return fmt::format("vec4({}.xxx, 1.0)", v);
-    case 2: return fmt::format("vec4({}.xy, 0.0, 1.0)", v);
-    case 3: return fmt::format("vec4({}.xyz, 1.0)", v);
-    default: return v;
+    case 1:
+      return fmt::format("vec4({}.xxx, 1.0)", v);
+    case 2:
+      return fmt::format("vec4({}.xy, 0.0, 1.0)", v);
+    case 3:
+      return fmt::format("vec4({}.xyz, 1.0)", v);
+    default:
+      return v;
   }
 }
 
@@ -142,10 +150,14 @@ Vector ExpandBackground(const Storage& storage, const Vector& value) {
   const bool halve = info.is_signed && IsUnorm(storage);
   const auto store = [&](float x) { return halve ? 0.5f * x + 0.5f : x; };
   switch (info.components) {
-    case 1: return {store(value[0]), store(value[0]), store(value[0]), 0.0f};
-    case 2: return {store(value[0]), store(value[1]), 0.0f, 0.0f};
-    case 3: return {store(value[0]), store(value[1]), store(value[2]), 0.0f};
-    default: return value;
+    case 1:
+      return {store(value[0]), store(value[0]), store(value[0]), 0.0f};
+    case 2:
+      return {store(value[0]), store(value[1]), 0.0f, 0.0f};
+    case 3:
+      return {store(value[0]), store(value[1]), store(value[2]), 0.0f};
+    default:
+      return value;
   }
 }
 
@@ -163,9 +175,12 @@ Vector PlaceBackground(const Storage& storage, const Vector& v) {
 
 std::string StoreConverted(const Storage& storage, const std::string& color) {
   switch (storage.attribute) {
-    case Attribute::kIntensity: return Limit(storage, Place(storage, Expand(storage, fmt::format("vec4(Luma(({}).rgb))", color), false)));
-    case Attribute::kAlpha: return Limit(storage, Place(storage, Expand(storage, fmt::format("vec4(({}).a)", color), false)));
-    default: return Limit(storage, Place(storage, Expand(storage, color, false)));
+    case Attribute::kIntensity:
+      return Limit(storage, Place(storage, Expand(storage, fmt::format("vec4(Luma(({}).rgb))", color), false)));
+    case Attribute::kAlpha:
+      return Limit(storage, Place(storage, Expand(storage, fmt::format("vec4(({}).a)", color), false)));
+    default:
+      return Limit(storage, Place(storage, Expand(storage, color, false)));
   }
 }
 
@@ -182,7 +197,8 @@ std::string StoreExpression(const Storage& storage, std::string_view value) {
   if (info.is_id) return IsUnorm(storage) ? StoreUnormId(storage, value) : StoreFloatId(storage, value);
   const bool is_picture = IsColorClass(storage.attribute) || storage.attribute == Attribute::kVideo;
   if (is_picture) {
-    return StoreConverted(storage, IsDisplay(storage) ? fmt::format("DisplayFromScene({})", value) : std::string(value));
+    return StoreConverted(storage,
+                          IsDisplay(storage) ? fmt::format("DisplayFromScene({})", value) : std::string(value));
   }
   const std::string converted =
       IsDisplay(storage) ? fmt::format("vec4(SrgbEncode(({0}).rgb), ({0}).a)", value) : std::string(value);

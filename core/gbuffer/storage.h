@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How a target keeps an attribute: the rules of burin-attributes(7), ENCODING, as GLSL for the shaders and as numbers for
-// what is cleared. Both forms stand side by side in storage.cpp.
+// How a target keeps an attribute: the rules of burin-attributes(7), ENCODING, as GLSL for the shaders and as numbers
+// for what is cleared. Both forms stand side by side in storage.cpp.
 
 #include <array>
 #include <string>
@@ -17,15 +17,15 @@ namespace burin::gbuffer {
 struct Storage {
   Attribute attribute = Attribute::kColor;
   gl::Format format;
-  image::Encoding encoding = image::Encoding::kSceneLinear;   ///< kData counts as kSceneLinear
+  image::Encoding encoding = image::Encoding::kSceneLinear;  ///< kData counts as kSceneLinear
   bool operator==(const Storage&) const = default;
 };
 
 /// GLSL functions that the expressions of StoreExpression call.
 [[nodiscard]] std::string_view StorageFunctions();
 
-/// A GLSL vec4 that is written to the target. `value`: an expression of type vec4 (the data components, then 0s; colour is
-/// scene-linear with associated alpha; 4-component data keeps its alpha) or uint for ids.
+/// A GLSL vec4 that is written to the target. `value`: an expression of type vec4 (the data components, then 0s; colour
+/// is scene-linear with associated alpha; 4-component data keeps its alpha) or uint for ids.
 [[nodiscard]] std::string StoreExpression(const Storage& storage, std::string_view value);
 
 /// The same for color, intensity, alpha and video where `value` has the target's encoding and alpha already.

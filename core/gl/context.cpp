@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/context.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <thread>
 #include <utility>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include "core/base/cpu.h"
 #include "core/gl/debug.h"
@@ -69,7 +69,8 @@ std::string Mismatch(const DeviceChoice& choice, const Candidate& candidate, con
   }
   // A hardware node whose driver is missing comes up as software: keep it for later, as auto's order demands.
   const bool wants_hardware = candidate.device.handle != nullptr && !candidate.device.is_software;
-  if (wants_hardware && info.is_software) return fmt::format("its driver is missing, it renders by '{}'", info.renderer);
+  if (wants_hardware && info.is_software)
+    return fmt::format("its driver is missing, it renders by '{}'", info.renderer);
   return {};
 }
 
@@ -137,7 +138,8 @@ Result<std::unique_ptr<Context>> Context::Create(const ContextOptions& options) 
 
 void AssertContextThread() {
   if (context_thread == std::this_thread::get_id()) return;
-  std::fprintf(stderr, "burin: GL used %s\n", context_thread ? "on another thread than its context's" : "without a context");
+  std::fprintf(stderr, "burin: GL used %s\n",
+               context_thread ? "on another thread than its context's" : "without a context");
   std::abort();
 }
 

@@ -10,9 +10,9 @@
 namespace burin::gl {
 
 struct DeviceInfo {
-  std::string renderer;        ///< GL_RENDERER
+  std::string renderer;  ///< GL_RENDERER
   std::string vendor;
-  std::string version;         ///< GL_VERSION
+  std::string version;  ///< GL_VERSION
   bool is_software = false;
   int max_texture_size = 0;
   int max_draw_buffers = 0;
@@ -20,14 +20,14 @@ struct DeviceInfo {
 };
 
 struct ContextOptions {
-  std::string device = "auto";   ///< auto|software|N|cuda:N|NAME, as --device
-  int threads = 0;               ///< for software rendering; 0: the affinity mask's count
-  bool debug = false;            ///< a debug context: every KHR_debug error or undefined behaviour aborts (tests)
+  std::string device = "auto";  ///< auto|software|N|cuda:N|NAME, as --device
+  int threads = 0;              ///< for software rendering; 0: the affinity mask's count
+  bool debug = false;           ///< a debug context: every KHR_debug error or undefined behaviour aborts (tests)
 };
 
 /// A surfaceless EGL display with a GL 4.5 core context, current on the thread that made it. One at a time a process;
-/// it outlives every GL object. Conventions set for its life: glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE), so that row 0
-/// is the top row of every target and clip z is 0..w; pixel store alignment 1; no dithering; seamless cube maps.
+/// it outlives every GL object. Conventions set for its life: glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE), so that row
+/// 0 is the top row of every target and clip z is 0..w; pixel store alignment 1; no dithering; seamless cube maps.
 class Context {
  public:
   /// Errors: kDevice, saying what was tried and why each failed; kUsage for a malformed `device`.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/device_choice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
-
-#include <fmt/format.h>
 
 namespace burin::gl {
 namespace {
@@ -27,7 +27,8 @@ std::string Lower(std::string_view text) {
 }
 
 bool NamesDevice(const EglDevice& device, std::string_view name) {
-  return name == device.primary_node || name == device.render_node || (!device.name.empty() && ContainsName(device.name, name));
+  return name == device.primary_node || name == device.render_node ||
+         (!device.name.empty() && ContainsName(device.name, name));
 }
 
 void AppendSurfaceless(std::vector<Candidate>& list, const EglDevices& found, bool must_match) {
@@ -53,8 +54,8 @@ bool ContainsName(std::string_view text, std::string_view name) {
 }
 
 bool IsSoftwareRenderer(std::string_view renderer) {
-  constexpr std::array<std::string_view, 6> kNames = {"llvmpipe", "softpipe", "swrast", "SWR ", "SwiftShader",
-                                                      "Software Rasterizer"};
+  constexpr std::array<std::string_view, 6> kNames = {"llvmpipe", "softpipe",    "swrast",
+                                                      "SWR ",     "SwiftShader", "Software Rasterizer"};
   return std::ranges::any_of(kNames, [&](std::string_view name) { return ContainsName(renderer, name); });
 }
 
@@ -71,7 +72,8 @@ Result<DeviceChoice> ParseDeviceChoice(std::string_view text) {
   const bool is_numeric = text.find_first_not_of("-0123456789") == std::string_view::npos;
   if (!is_numeric) return DeviceChoice{.kind = Kind::kName, .name = std::string(text)};
   const std::optional<int> number = ParseNumber(text);
-  if (!number) return Fail(ErrorKind::kUsage, fmt::format("--device {}: not a device's number; expected {}", text, kForms));
+  if (!number)
+    return Fail(ErrorKind::kUsage, fmt::format("--device {}: not a device's number; expected {}", text, kForms));
   return DeviceChoice{.kind = Kind::kIndex, .number = *number};
 }
 
@@ -98,7 +100,9 @@ std::vector<Candidate> Candidates(const DeviceChoice& choice, const EglDevices& 
     case DeviceChoice::Kind::kCuda:
       add_if([&](const EglDevice& device) { return device.cuda == choice.number; });
       break;
-    case DeviceChoice::Kind::kName: list = ByName(choice.name, found); break;
+    case DeviceChoice::Kind::kName:
+      list = ByName(choice.name, found);
+      break;
   }
   return list;
 }

@@ -14,8 +14,8 @@ namespace burin::gl {
 struct DeviceChoice {
   enum class Kind { kAuto, kSoftware, kIndex, kCuda, kName };
   Kind kind = Kind::kAuto;
-  int number = 0;        ///< of kIndex and kCuda
-  std::string name{};    ///< of kName, as given
+  int number = 0;      ///< of kIndex and kCuda
+  std::string name{};  ///< of kName, as given
 };
 
 /// Errors: kUsage for an empty text, a number out of range, "cuda:" without a number.

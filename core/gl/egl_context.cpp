@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/egl_context.h"
 
-#include <utility>
-
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace burin::gl {
 namespace {
 
 std::string EglErrorName(EGLint code) {
   switch (code) {
-    case EGL_SUCCESS: return "no reason given";
-    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS: return "EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
-    case EGL_BAD_DISPLAY: return "EGL_BAD_DISPLAY";
-    case EGL_BAD_MATCH: return "EGL_BAD_MATCH";
-    case EGL_BAD_PARAMETER: return "EGL_BAD_PARAMETER";
-    default: return fmt::format("EGL error 0x{:04x}", code);
+    case EGL_SUCCESS:
+      return "no reason given";
+    case EGL_NOT_INITIALIZED:
+      return "EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS:
+      return "EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC:
+      return "EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE:
+      return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG:
+      return "EGL_BAD_CONFIG";
+    case EGL_BAD_DISPLAY:
+      return "EGL_BAD_DISPLAY";
+    case EGL_BAD_MATCH:
+      return "EGL_BAD_MATCH";
+    case EGL_BAD_PARAMETER:
+      return "EGL_BAD_PARAMETER";
+    default:
+      return fmt::format("EGL error 0x{:04x}", code);
   }
 }
 
@@ -30,8 +40,8 @@ std::unexpected<Error> EglFail(const char* what) {
 }
 
 EGLDisplay DisplayOf(const EglDevice& device) {
-  const auto get = reinterpret_cast<EGLDisplay (*)(EGLenum, void*, const EGLint*)>(
-      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  const auto get =
+      reinterpret_cast<EGLDisplay (*)(EGLenum, void*, const EGLint*)>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (get == nullptr) return EGL_NO_DISPLAY;
   if (device.handle != nullptr) return get(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
   return get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -50,10 +60,14 @@ EGLConfig AnyConfig(EGLDisplay display, std::string_view extensions) {
 }
 
 EGLContext CreateCoreContext(EGLDisplay display, std::string_view extensions, bool debug) {
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4,
-                               EGL_CONTEXT_MINOR_VERSION, 5,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                               EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE,
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_DEBUG,
+                               debug ? EGL_TRUE : EGL_FALSE,
                                EGL_NONE};
   return eglCreateContext(display, AnyConfig(display, extensions), EGL_NO_CONTEXT, attributes);
 }

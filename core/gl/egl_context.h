@@ -16,7 +16,8 @@ class EglContext {
   EglContext& operator=(EglContext&& other) noexcept;
   ~EglContext();
 
-  /// `device` without a handle: the surfaceless platform. Errors: kDevice, only the reason ("eglInitialize failed ...").
+  /// `device` without a handle: the surfaceless platform. Errors: kDevice, only the reason ("eglInitialize failed
+  /// ...").
   [[nodiscard]] static Result<EglContext> Open(const EglDevice& device, bool debug);
 
  private:

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/egl_device.h"
 
-#include <array>
 #include <dlfcn.h>
-
 #include <epoxy/egl.h>
 #include <fmt/format.h>
+
+#include <array>
 
 namespace burin::gl {
 namespace {
 
 // EGL_EXT_device_query_name; epoxy 1.5.10 knows the extension's number but Mesa 22.3 lists it only on some devices.
 constexpr EGLint kRendererName = 0x335F;
-constexpr EGLint kCudaDevice = 0x323A;          // EGL_NV_device_cuda
-constexpr EGLint kDrmDeviceFile = 0x3233;       // EGL_EXT_device_drm
-constexpr EGLint kDrmRenderNodeFile = 0x3377;   // EGL_EXT_device_drm_render_node
+constexpr EGLint kCudaDevice = 0x323A;         // EGL_NV_device_cuda
+constexpr EGLint kDrmDeviceFile = 0x3233;      // EGL_EXT_device_drm
+constexpr EGLint kDrmRenderNodeFile = 0x3377;  // EGL_EXT_device_drm_render_node
 
 using QueryDevices = EGLBoolean (*)(EGLint, void**, EGLint*);
 using QueryDeviceString = const char* (*)(void*, EGLint);
@@ -40,8 +40,10 @@ EglDevice Inspect(void* handle, int index) {
   if (query_string == nullptr) return device;
   const std::string extensions = DeviceString(query_string, handle, EGL_EXTENSIONS);
   device.is_software = HasToken(extensions, "EGL_MESA_device_software");
-  if (HasToken(extensions, "EGL_EXT_device_query_name")) device.name = DeviceString(query_string, handle, kRendererName);
-  if (HasToken(extensions, "EGL_EXT_device_drm")) device.primary_node = DeviceString(query_string, handle, kDrmDeviceFile);
+  if (HasToken(extensions, "EGL_EXT_device_query_name"))
+    device.name = DeviceString(query_string, handle, kRendererName);
+  if (HasToken(extensions, "EGL_EXT_device_drm"))
+    device.primary_node = DeviceString(query_string, handle, kDrmDeviceFile);
   if (HasToken(extensions, "EGL_EXT_device_drm_render_node")) {
     device.render_node = DeviceString(query_string, handle, kDrmRenderNodeFile);
   }

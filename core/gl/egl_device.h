@@ -14,12 +14,12 @@ namespace burin::gl {
 [[nodiscard]] bool HasToken(std::string_view list, std::string_view token);
 
 struct EglDevice {
-  void* handle = nullptr;         ///< EGLDeviceEXT; null for the surfaceless platform
-  int index = -1;                 ///< as EGL enumerates them: what `--device N` takes; -1 for the surfaceless platform
-  std::string name;               ///< EGL's name of the renderer, where the driver tells it
-  std::string primary_node;       ///< "/dev/dri/card0" or empty
-  std::string render_node;        ///< "/dev/dri/renderD128" or empty
-  std::optional<int> cuda;        ///< CUDA's number of it
+  void* handle = nullptr;    ///< EGLDeviceEXT; null for the surfaceless platform
+  int index = -1;            ///< as EGL enumerates them: what `--device N` takes; -1 for the surfaceless platform
+  std::string name;          ///< EGL's name of the renderer, where the driver tells it
+  std::string primary_node;  ///< "/dev/dri/card0" or empty
+  std::string render_node;   ///< "/dev/dri/renderD128" or empty
+  std::optional<int> cuda;   ///< CUDA's number of it
   bool is_software = false;
 
   /// "device 0 (/dev/dri/renderD128, cuda:0)", "the surfaceless platform"
@@ -29,8 +29,8 @@ struct EglDevice {
 /// Why there is nothing to enumerate: no libEGL, or empty.
 struct EglDevices {
   std::vector<EglDevice> devices;
-  bool has_surfaceless = false;   ///< EGL_MESA_platform_surfaceless
-  std::string problem;            ///< why `devices` is empty; empty when it is not
+  bool has_surfaceless = false;  ///< EGL_MESA_platform_surfaceless
+  std::string problem;           ///< why `devices` is empty; empty when it is not
 };
 
 /// Asks EGL; starts no driver.

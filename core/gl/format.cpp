@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/format.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
+
+#include <algorithm>
 
 #include "core/gl/texture.h"
 
@@ -17,14 +17,14 @@ struct Entry {
 
 // OpenGL 4.5 core, tables 8.12 and 8.13: those that this program makes textures of.
 constexpr std::array kEntries = {
-    Entry{GL_R8, {8, 0, 0, 0}},         Entry{GL_RG8, {8, 8, 0, 0}},       Entry{GL_RGB8, {8, 8, 8, 0}},
-    Entry{GL_RGBA8, {8, 8, 8, 8}},      Entry{GL_SRGB8, {8, 8, 8, 0}},     Entry{GL_SRGB8_ALPHA8, {8, 8, 8, 8}},
-    Entry{GL_RGB565, {5, 6, 5, 0}},     Entry{GL_RGB10_A2, {10, 10, 10, 2}}, Entry{GL_RGB5_A1, {5, 5, 5, 1}},
-    Entry{GL_RGBA4, {4, 4, 4, 4}},      Entry{GL_R16, {16, 0, 0, 0}},      Entry{GL_RG16, {16, 16, 0, 0}},
-    Entry{GL_RGB16, {16, 16, 16, 0}},   Entry{GL_RGBA16, {16, 16, 16, 16}}, Entry{GL_R16F, {16, 0, 0, 0}},
-    Entry{GL_RG16F, {16, 16, 0, 0}},    Entry{GL_RGB16F, {16, 16, 16, 0}}, Entry{GL_RGBA16F, {16, 16, 16, 16}},
-    Entry{GL_R32F, {32, 0, 0, 0}},      Entry{GL_RG32F, {32, 32, 0, 0}},   Entry{GL_RGB32F, {32, 32, 32, 0}},
-    Entry{GL_RGBA32F, {32, 32, 32, 32}}, Entry{GL_R32UI, {32, 0, 0, 0}},   Entry{GL_RG32UI, {32, 32, 0, 0}},
+    Entry{GL_R8, {8, 0, 0, 0}},           Entry{GL_RG8, {8, 8, 0, 0}},         Entry{GL_RGB8, {8, 8, 8, 0}},
+    Entry{GL_RGBA8, {8, 8, 8, 8}},        Entry{GL_SRGB8, {8, 8, 8, 0}},       Entry{GL_SRGB8_ALPHA8, {8, 8, 8, 8}},
+    Entry{GL_RGB565, {5, 6, 5, 0}},       Entry{GL_RGB10_A2, {10, 10, 10, 2}}, Entry{GL_RGB5_A1, {5, 5, 5, 1}},
+    Entry{GL_RGBA4, {4, 4, 4, 4}},        Entry{GL_R16, {16, 0, 0, 0}},        Entry{GL_RG16, {16, 16, 0, 0}},
+    Entry{GL_RGB16, {16, 16, 16, 0}},     Entry{GL_RGBA16, {16, 16, 16, 16}},  Entry{GL_R16F, {16, 0, 0, 0}},
+    Entry{GL_RG16F, {16, 16, 0, 0}},      Entry{GL_RGB16F, {16, 16, 16, 0}},   Entry{GL_RGBA16F, {16, 16, 16, 16}},
+    Entry{GL_R32F, {32, 0, 0, 0}},        Entry{GL_RG32F, {32, 32, 0, 0}},     Entry{GL_RGB32F, {32, 32, 32, 0}},
+    Entry{GL_RGBA32F, {32, 32, 32, 32}},  Entry{GL_R32UI, {32, 0, 0, 0}},      Entry{GL_RG32UI, {32, 32, 0, 0}},
     Entry{GL_RGBA32UI, {32, 32, 32, 32}},
 };
 
@@ -48,9 +48,7 @@ std::array<int, 4> ComponentBits(const Format& format) {
   return entry == kEntries.end() ? std::array<int, 4>{} : entry->bits;
 }
 
-bool IsAlphaOnly(const Format& format) {
-  return format.swizzle[0] == GL_ZERO && format.swizzle[3] == GL_ALPHA;
-}
+bool IsAlphaOnly(const Format& format) { return format.swizzle[0] == GL_ZERO && format.swizzle[3] == GL_ALPHA; }
 
 bool IsLuminance(const Format& format) {
   return format.swizzle[0] == GL_RED && format.swizzle[1] == GL_RED && format.swizzle[2] == GL_RED;
@@ -72,7 +70,7 @@ Format FormatFor(const image::Image& image) {
   Format format = PlainFormat(is_float ? Numeric::kFloat : Numeric::kUnorm, bits, image.channels);
   if (image.channels == 1) format.swizzle = {GL_RED, GL_RED, GL_RED, GL_ONE};
   if (image.channels == 2) format.swizzle = {GL_RED, GL_RED, GL_RED, GL_GREEN};
-  if (image.channels == 3) format.swizzle = kIdentity;   // Upload stores alpha 1: it can be copied as RGBA
+  if (image.channels == 3) format.swizzle = kIdentity;  // Upload stores alpha 1: it can be copied as RGBA
   return format;
 }
 

@@ -13,11 +13,11 @@ enum class Numeric : std::uint8_t { kUnorm, kFloat };
 /// (e.g. R32F reads as (r,1,1,1), L8 as (l,l,l,1), A8 as (0,0,0,a)). Formats whose written components GL cannot
 /// place (A8, A8L8, X8R8G8B8) are held in four components.
 struct Format {
-  std::uint32_t internal = 0;               ///< GLenum, sized: GL_RGBA8, GL_R32F ...
-  std::array<std::int32_t, 4> swizzle{};    ///< GL_RED .. GL_ZERO, for GL_TEXTURE_SWIZZLE_RGBA
+  std::uint32_t internal = 0;             ///< GLenum, sized: GL_RGBA8, GL_R32F ...
+  std::array<std::int32_t, 4> swizzle{};  ///< GL_RED .. GL_ZERO, for GL_TEXTURE_SWIZZLE_RGBA
   Numeric numeric = Numeric::kUnorm;
-  int bits = 8;                             ///< of the widest component
-  int components = 4;                       ///< that the format's name declares: 1 to 4
+  int bits = 8;        ///< of the widest component
+  int components = 4;  ///< that the format's name declares: 1 to 4
   bool operator==(const Format&) const = default;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/framebuffer.h"
 
-#include <vector>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <vector>
 
 #include "core/gl/debug.h"
 
@@ -41,8 +41,8 @@ Result<Framebuffer> Framebuffer::Create(std::span<const Texture* const> colors, 
   }
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    return Fail(ErrorKind::kFailed, fmt::format("{}: this device cannot render to these formats (status 0x{:04x})",
-                                                label, status));
+    return Fail(ErrorKind::kFailed,
+                fmt::format("{}: this device cannot render to these formats (status 0x{:04x})", label, status));
   }
   SetLabel(GL_FRAMEBUFFER, id, label);
   return framebuffer;

@@ -14,8 +14,8 @@ namespace burin::gl {
 class Framebuffer {
  public:
   Framebuffer() = default;
-  /// `depth_stencil`: a texture of GL_DEPTH24_STENCIL8 or GL_DEPTH32F_STENCIL8 (CreateDepthStencil), or null. The textures
-  /// must outlive the framebuffer.
+  /// `depth_stencil`: a texture of GL_DEPTH24_STENCIL8 or GL_DEPTH32F_STENCIL8 (CreateDepthStencil), or null. The
+  /// textures must outlive the framebuffer.
   [[nodiscard]] static Result<Framebuffer> Create(std::span<const Texture* const> colors, const Texture* depth_stencil,
                                                   std::string_view label);
   /// Binds for drawing to all colour attachments and sets the viewport to the whole.

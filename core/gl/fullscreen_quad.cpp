@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/fullscreen_quad.h"
 
-#include <array>
-
 #include <epoxy/gl.h>
+
+#include <array>
 
 #include "core/gl/debug.h"
 #include "core/gl/vertex_layout.h"

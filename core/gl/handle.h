@@ -32,12 +32,24 @@ class Handle {
   std::uint32_t id_ = 0;
 };
 
-struct TextureTraits { static void Delete(std::uint32_t id); };
-struct SamplerTraits { static void Delete(std::uint32_t id); };
-struct BufferTraits { static void Delete(std::uint32_t id); };
-struct FramebufferTraits { static void Delete(std::uint32_t id); };
-struct VertexArrayTraits { static void Delete(std::uint32_t id); };
-struct ProgramTraits { static void Delete(std::uint32_t id); };
+struct TextureTraits {
+  static void Delete(std::uint32_t id);
+};
+struct SamplerTraits {
+  static void Delete(std::uint32_t id);
+};
+struct BufferTraits {
+  static void Delete(std::uint32_t id);
+};
+struct FramebufferTraits {
+  static void Delete(std::uint32_t id);
+};
+struct VertexArrayTraits {
+  static void Delete(std::uint32_t id);
+};
+struct ProgramTraits {
+  static void Delete(std::uint32_t id);
+};
 
 using TextureHandle = Handle<TextureTraits>;
 using SamplerHandle = Handle<SamplerTraits>;

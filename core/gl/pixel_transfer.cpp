@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/pixel_transfer.h"
 
-#include <array>
-
 #include <epoxy/gl.h>
+
+#include <array>
 
 namespace burin::gl {
 
 std::uint32_t TransferType(image::SampleType type) {
   switch (type) {
-    case image::SampleType::kU8: return GL_UNSIGNED_BYTE;
-    case image::SampleType::kU16: return GL_UNSIGNED_SHORT;
-    case image::SampleType::kU32: return GL_UNSIGNED_INT;
-    case image::SampleType::kF16: return GL_HALF_FLOAT;
-    case image::SampleType::kF32: return GL_FLOAT;
+    case image::SampleType::kU8:
+      return GL_UNSIGNED_BYTE;
+    case image::SampleType::kU16:
+      return GL_UNSIGNED_SHORT;
+    case image::SampleType::kU32:
+      return GL_UNSIGNED_INT;
+    case image::SampleType::kF16:
+      return GL_HALF_FLOAT;
+    case image::SampleType::kF32:
+      return GL_FLOAT;
   }
   return GL_UNSIGNED_BYTE;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/program.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <vector>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include "core/gl/debug.h"
 #include "core/gl/program_cache.h"
@@ -45,10 +45,12 @@ std::string_view SourceLine(std::string_view source, int number) {
 // The first line number of a log: "0:12(34): error: ..." (Mesa), "0(12) : error ..." (NVIDIA).
 int LineOfLog(std::string_view log) {
   std::size_t at = log.find_first_of(":(");
-  while (at != std::string_view::npos && at + 1 < log.size() && std::isdigit(static_cast<unsigned char>(log[at + 1])) == 0) {
+  while (at != std::string_view::npos && at + 1 < log.size() &&
+         std::isdigit(static_cast<unsigned char>(log[at + 1])) == 0) {
     at = log.find_first_of(":(", at + 1);
   }
-  return at == std::string_view::npos || at + 1 >= log.size() ? 0 : std::atoi(std::string(log.substr(at + 1, 8)).c_str());
+  return at == std::string_view::npos || at + 1 >= log.size() ? 0
+                                                              : std::atoi(std::string(log.substr(at + 1, 8)).c_str());
 }
 
 std::string LogOf(GLuint object, bool is_program) {
@@ -87,7 +89,8 @@ bool IsLinked(GLuint program) {
   return linked == GL_TRUE;
 }
 
-Result<void> CompileAndLink(GLuint program, std::string_view vertex, std::string_view fragment, std::string_view label) {
+Result<void> CompileAndLink(GLuint program, std::string_view vertex, std::string_view fragment,
+                            std::string_view label) {
   std::vector<GLuint> shaders;
   const auto release = [&] {
     for (const GLuint shader : shaders) {
@@ -110,7 +113,8 @@ Result<void> CompileAndLink(GLuint program, std::string_view vertex, std::string
   glLinkProgram(program);
   release();
   if (IsLinked(program)) return {};
-  return Fail(ErrorKind::kFailed, fmt::format("{}: the driver cannot link the program:\n{}", label, LogOf(program, true)));
+  return Fail(ErrorKind::kFailed,
+              fmt::format("{}: the driver cannot link the program:\n{}", label, LogOf(program, true)));
 }
 
 bool LoadBinary(GLuint program, const ProgramCache& cache, std::string_view key) {

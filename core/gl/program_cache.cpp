@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/program_cache.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,9 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
-
-#include <fmt/format.h>
-#include <unistd.h>
 
 namespace burin::gl {
 namespace {
@@ -65,8 +65,10 @@ ProgramCache ProgramCache::Default() {
   const std::string off = Variable("BURIN_NO_CACHE");
   if (!off.empty() && off != "0") return ProgramCache("");
   // The XDG base directory specification: a relative path counts as unset.
-  if (const std::string base = Variable("XDG_CACHE_HOME"); base.starts_with('/')) return ProgramCache(base + "/burin/programs");
-  if (const std::string home = Variable("HOME"); home.starts_with('/')) return ProgramCache(home + "/.cache/burin/programs");
+  if (const std::string base = Variable("XDG_CACHE_HOME"); base.starts_with('/'))
+    return ProgramCache(base + "/burin/programs");
+  if (const std::string home = Variable("HOME"); home.starts_with('/'))
+    return ProgramCache(home + "/.cache/burin/programs");
   return ProgramCache("");
 }
 

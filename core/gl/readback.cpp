@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/readback.h"
 
+#include <epoxy/gl.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-
-#include <epoxy/gl.h>
 
 #include "core/gl/debug.h"
 #include "core/gl/pixel_transfer.h"
@@ -43,7 +43,7 @@ struct ReadbackRing::Slot {
   BufferHandle buffer;
   std::size_t capacity = 0;
   GLsync fence = nullptr;
-  image::Image image;   ///< without pixels
+  image::Image image;  ///< without pixels
 
   Slot() = default;
   Slot(const Slot&) = delete;
@@ -109,8 +109,7 @@ image::Image ReadbackRing::Finish() {
   slot->Wait();
   image::Image image = std::move(slot->image);
   const std::size_t bytes = Bytes(image);
-  const void* mapped =
-      glMapNamedBufferRange(slot->buffer.id(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
+  const void* mapped = glMapNamedBufferRange(slot->buffer.id(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
   if (mapped != nullptr) {
     const auto* first = static_cast<const std::byte*>(mapped);
     image.pixels.assign(first, first + bytes);

@@ -13,8 +13,8 @@
 
 namespace burin::gl {
 
-/// Asynchronous read-back through a ring of pixel buffers: Start() queues a copy and returns at once, Finish() waits for
-/// the oldest. Used on the context's thread only.
+/// Asynchronous read-back through a ring of pixel buffers: Start() queues a copy and returns at once, Finish() waits
+/// for the oldest. Used on the context's thread only.
 class ReadbackRing {
  public:
   /// `depth`: how many copies may be under way (2 or 3).
@@ -22,8 +22,8 @@ class ReadbackRing {
   ~ReadbackRing();
   [[nodiscard]] bool full() const;
   [[nodiscard]] bool empty() const;
-  /// Level 0 of `texture` as `channels` (1..4) of `type`; kU32 is for unsigned integer textures only, kU8/kU16 for unorm,
-  /// floats for any. The raw components are read: swizzles don't apply.
+  /// Level 0 of `texture` as `channels` (1..4) of `type`; kU32 is for unsigned integer textures only, kU8/kU16 for
+  /// unorm, floats for any. The raw components are read: swizzles don't apply.
   void Start(const Texture& texture, image::SampleType type, int channels, image::Encoding encoding);
   /// The oldest read-back, in the order of Start().
   [[nodiscard]] image::Image Finish();

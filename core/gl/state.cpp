@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/state.h"
 
-#include <initializer_list>
-
 #include <epoxy/gl.h>
+
+#include <initializer_list>
 
 namespace burin::gl {
 

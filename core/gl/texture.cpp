@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/texture.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include "core/gl/debug.h"
 #include "core/gl/pixel_transfer.h"
@@ -44,15 +44,20 @@ std::vector<std::byte> ExpandAs(const image::Image& image, T one) {
   return bytes;
 }
 
-// Grey, grey-alpha and RGB pixels as RGBA, for a texture that stores four components. GL would leave green and blue of grey
-// ones at 0, and Mesa takes ten times as long to widen RGB as this does.
+// Grey, grey-alpha and RGB pixels as RGBA, for a texture that stores four components. GL would leave green and blue of
+// grey ones at 0, and Mesa takes ten times as long to widen RGB as this does.
 std::vector<std::byte> ExpandToRgba(const image::Image& image) {
   switch (image.type) {
-    case image::SampleType::kU8: return ExpandAs<std::uint8_t>(image, 0xFF);
-    case image::SampleType::kU16: return ExpandAs<std::uint16_t>(image, 0xFFFF);
-    case image::SampleType::kF16: return ExpandAs<std::uint16_t>(image, 0x3C00);   // 1.0 as IEEE 754 binary16
-    case image::SampleType::kU32: return ExpandAs<std::uint32_t>(image, 1);
-    case image::SampleType::kF32: return ExpandAs<float>(image, 1.0f);
+    case image::SampleType::kU8:
+      return ExpandAs<std::uint8_t>(image, 0xFF);
+    case image::SampleType::kU16:
+      return ExpandAs<std::uint16_t>(image, 0xFFFF);
+    case image::SampleType::kF16:
+      return ExpandAs<std::uint16_t>(image, 0x3C00);  // 1.0 as IEEE 754 binary16
+    case image::SampleType::kU32:
+      return ExpandAs<std::uint32_t>(image, 1);
+    case image::SampleType::kF32:
+      return ExpandAs<float>(image, 1.0f);
   }
   return {};
 }
@@ -79,8 +84,8 @@ Result<Texture> Texture::Create(const Format& format, int width, int height, int
   texture.handle_ = TextureHandle(id);
   glTextureStorage2D(id, texture.levels_, format.internal, width, height);
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    return Fail(ErrorKind::kFailed, fmt::format("{}: no memory for a texture of {}x{} pixels (GL error 0x{:04x})", label,
-                                                width, height, error));
+    return Fail(ErrorKind::kFailed, fmt::format("{}: no memory for a texture of {}x{} pixels (GL error 0x{:04x})",
+                                                label, width, height, error));
   }
   glTextureParameteriv(id, GL_TEXTURE_SWIZZLE_RGBA, format.swizzle.data());
   // Without a sampler object a texture reads point by point, clamped, as Direct3D's defaults filter.

@@ -41,8 +41,8 @@ class Texture {
 /// swizzle that gives grey for one channel, grey and alpha for two.
 [[nodiscard]] Format FormatFor(const image::Image& image);
 
-/// A colour format with no special swizzle, e.g. PlainFormat(Numeric::kFloat, 32, 4) is RGBA32F. bits: 8, 16, 32 (floats
-/// 16 or 32); missing components read as (0,0,0,1).
+/// A colour format with no special swizzle, e.g. PlainFormat(Numeric::kFloat, 32, 4) is RGBA32F. bits: 8, 16, 32
+/// (floats 16 or 32); missing components read as (0,0,0,1).
 [[nodiscard]] Format PlainFormat(Numeric numeric, int bits, int components);
 
 }  // namespace burin::gl

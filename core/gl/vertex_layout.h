@@ -14,7 +14,7 @@ enum VertexLocation : int {
   kLocationColor1 = 5,
   kLocationBlendWeight = 6,
   kLocationBlendIndices = 7,
-  kLocationTexCoord0 = 8,   // to 15: TEXCOORD7
+  kLocationTexCoord0 = 8,  // to 15: TEXCOORD7
 };
 
 }  // namespace burin::gl

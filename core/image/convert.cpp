@@ -59,10 +59,18 @@ constexpr std::size_t kBlock = 4096;
 
 void ToFloats(const std::byte* from, SampleType type, float* to, std::size_t count) {
   switch (type) {
-    case SampleType::kU8: FloatsFromU8(reinterpret_cast<const U8*>(from), to, count); break;
-    case SampleType::kU16: FloatsFromU16(reinterpret_cast<const U16*>(from), to, count); break;
-    case SampleType::kF16: FloatsFromHalves(reinterpret_cast<const U16*>(from), to, count); break;
-    case SampleType::kF32: std::memcpy(to, from, count * sizeof(float)); break;
+    case SampleType::kU8:
+      FloatsFromU8(reinterpret_cast<const U8*>(from), to, count);
+      break;
+    case SampleType::kU16:
+      FloatsFromU16(reinterpret_cast<const U16*>(from), to, count);
+      break;
+    case SampleType::kF16:
+      FloatsFromHalves(reinterpret_cast<const U16*>(from), to, count);
+      break;
+    case SampleType::kF32:
+      std::memcpy(to, from, count * sizeof(float));
+      break;
     case SampleType::kU32:
       for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<float>(reinterpret_cast<const U32*>(from)[i]);
       break;
@@ -71,10 +79,18 @@ void ToFloats(const std::byte* from, SampleType type, float* to, std::size_t cou
 
 void FromFloats(const float* from, std::byte* to, SampleType type, std::size_t count) {
   switch (type) {
-    case SampleType::kU8: U8FromFloats(from, reinterpret_cast<U8*>(to), count); break;
-    case SampleType::kU16: U16FromFloats(from, reinterpret_cast<U16*>(to), count); break;
-    case SampleType::kF16: HalvesFromFloats(from, reinterpret_cast<U16*>(to), count); break;
-    case SampleType::kF32: std::memcpy(to, from, count * sizeof(float)); break;
+    case SampleType::kU8:
+      U8FromFloats(from, reinterpret_cast<U8*>(to), count);
+      break;
+    case SampleType::kU16:
+      U16FromFloats(from, reinterpret_cast<U16*>(to), count);
+      break;
+    case SampleType::kF16:
+      HalvesFromFloats(from, reinterpret_cast<U16*>(to), count);
+      break;
+    case SampleType::kF32:
+      std::memcpy(to, from, count * sizeof(float));
+      break;
     case SampleType::kU32:
       for (std::size_t i = 0; i < count; ++i) reinterpret_cast<U32*>(to)[i] = U32FromFloat(from[i]);
       break;
@@ -116,10 +132,14 @@ bool ConvertIntegers(const std::byte* from, SampleType from_type, std::byte* to,
 template <class T>
 constexpr T Opaque(SampleType type) {
   switch (type) {
-    case SampleType::kF16: return static_cast<T>(0x3C00);   // 1.0 as a half
-    case SampleType::kU8: return static_cast<T>(0xFF);
-    case SampleType::kU16: return static_cast<T>(0xFFFF);
-    default: return static_cast<T>(1);   // 1.0F, and an id of 1
+    case SampleType::kF16:
+      return static_cast<T>(0x3C00);  // 1.0 as a half
+    case SampleType::kU8:
+      return static_cast<T>(0xFF);
+    case SampleType::kU16:
+      return static_cast<T>(0xFFFF);
+    default:
+      return static_cast<T>(1);  // 1.0F, and an id of 1
   }
 }
 
@@ -213,11 +233,19 @@ Image ToChannels(const Image& image, int channels) {
     return converted;
   }
   switch (image.type) {
-    case SampleType::kU8: CopyChannels<U8>(image, converted); break;
+    case SampleType::kU8:
+      CopyChannels<U8>(image, converted);
+      break;
     case SampleType::kU16:
-    case SampleType::kF16: CopyChannels<U16>(image, converted); break;
-    case SampleType::kU32: CopyChannels<U32>(image, converted); break;
-    case SampleType::kF32: CopyChannels<float>(image, converted); break;
+    case SampleType::kF16:
+      CopyChannels<U16>(image, converted);
+      break;
+    case SampleType::kU32:
+      CopyChannels<U32>(image, converted);
+      break;
+    case SampleType::kF32:
+      CopyChannels<float>(image, converted);
+      break;
   }
   return converted;
 }

@@ -17,7 +17,7 @@ struct WritableFormat {
   std::string_view extension;
   std::string_view name;
   std::initializer_list<SampleType> types;
-  std::string_view alternatives;   ///< for the types that it lacks
+  std::string_view alternatives;  ///< for the types that it lacks
 };
 
 constexpr std::string_view kIntegersElsewhere = "8- and 16-bit samples go into .png or .tif, exact ids into .exr";
@@ -36,16 +36,21 @@ constexpr std::array<WritableFormat, 7> kWritable{{
     {"hdr", "Radiance HDR", {SampleType::kF16, SampleType::kF32}, kIntegersElsewhere},
 }};
 
-constexpr std::array<std::string_view, 15> kReadableToo{"bmp", "tga",  "webp", "ppm",  "pgm", "pbm", "pnm", "pfm",
-                                                        "dpx", "gif",  "psd",  "jp2",  "j2k", "rgbe", "ico"};
+constexpr std::array<std::string_view, 15> kReadableToo{"bmp", "tga", "webp", "ppm", "pgm", "pbm",  "pnm", "pfm",
+                                                        "dpx", "gif", "psd",  "jp2", "j2k", "rgbe", "ico"};
 
 constexpr std::string_view TypeName(SampleType type) {
   switch (type) {
-    case SampleType::kU8: return "8-bit";
-    case SampleType::kU16: return "16-bit";
-    case SampleType::kU32: return "32-bit integer";
-    case SampleType::kF16: return "half-float";
-    case SampleType::kF32: return "float";
+    case SampleType::kU8:
+      return "8-bit";
+    case SampleType::kU16:
+      return "16-bit";
+    case SampleType::kU32:
+      return "32-bit integer";
+    case SampleType::kF16:
+      return "half-float";
+    case SampleType::kF32:
+      return "float";
   }
   return "";
 }
@@ -60,7 +65,8 @@ const WritableFormat* FindFormat(const std::string& path) {
 
 bool IsImagePath(const std::string& path) {
   const std::string extension = base::LowerExtension(path);
-  return FindFormat(path) != nullptr || std::ranges::find(kReadableToo, std::string_view(extension)) != kReadableToo.end();
+  return FindFormat(path) != nullptr ||
+         std::ranges::find(kReadableToo, std::string_view(extension)) != kReadableToo.end();
 }
 
 Result<void> CheckWritable(const std::string& path, SampleType type, int channels) {

@@ -15,7 +15,7 @@ namespace {
 [[gnu::always_inline]] inline float ToFloat(std::uint16_t half) {
   const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000U) << 16;
   const std::uint32_t magnitude = static_cast<std::uint32_t>(half & 0x7FFFU) << 13;
-  const float scaled = std::bit_cast<float>(magnitude) * std::bit_cast<float>(0x77800000U);   // 2^112
+  const float scaled = std::bit_cast<float>(magnitude) * std::bit_cast<float>(0x77800000U);  // 2^112
   const std::uint32_t infinite = magnitude >= (0x7C00U << 13) ? 0x7F800000U : 0U;
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(scaled) | infinite | sign);
 }

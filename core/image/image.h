@@ -17,11 +17,14 @@ enum class Encoding : std::uint8_t { kDisplay, kSceneLinear, kData };
 
 [[nodiscard]] constexpr std::size_t SampleBytes(SampleType type) {
   switch (type) {
-    case SampleType::kU8: return 1;
+    case SampleType::kU8:
+      return 1;
     case SampleType::kU16:
-    case SampleType::kF16: return 2;
+    case SampleType::kF16:
+      return 2;
     case SampleType::kU32:
-    case SampleType::kF32: return 4;
+    case SampleType::kF32:
+      return 4;
   }
   return 0;
 }

@@ -28,7 +28,7 @@ class ColorTransform {
 
 /// Which OpenColorIO transform. All empty: the built-in sRGB. Empty display or view: the configuration's default.
 struct ColorOptions {
-  std::string config;   ///< path of a configuration (--ocio or $OCIO)
+  std::string config;  ///< path of a configuration (--ocio or $OCIO)
   std::string display;
   std::string view;
 };
@@ -46,7 +46,7 @@ struct Layer {
 
 struct WriteOptions {
   int jpeg_quality = 95;
-  std::vector<TextAttribute> metadata;   ///< no clock time is ever written
+  std::vector<TextAttribute> metadata;  ///< no clock time is ever written
 };
 
 class ImageModule {

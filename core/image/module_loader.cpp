@@ -10,7 +10,7 @@ namespace burin::image {
 
 Result<ImageModule*> LoadImageModule() {
   static std::mutex mutex;
-  static ImageModule* loaded = nullptr;   // never freed: the shared object stays until the process ends
+  static ImageModule* loaded = nullptr;  // never freed: the shared object stays until the process ends
   const std::lock_guard lock(mutex);
   if (loaded == nullptr) {
     const Result<void*> function = base::LoadModuleFunction("burin_image_module", kImageModuleFactory);

@@ -19,13 +19,13 @@ constexpr float kLinearBreak = 0.0031308F;
 constexpr float kEncodedBreak = 0.04045F;
 constexpr float kSlope = 12.92F;
 constexpr float kScale = 1.055F;
-constexpr float kOffset = kScale - 1.0F;   // 0.055, rounded so that 1 stays 1
+constexpr float kOffset = kScale - 1.0F;  // 0.055, rounded so that 1 stays 1
 constexpr float kGamma = 2.4F;
 
 // x^power for normal x in [2^-9, FLT_MAX]; anything else gives some value, never a fault. p * log2(x) is carried as
 // an integer part and a small rest, which keeps the error of the product at the size of one rounding.
 [[gnu::always_inline]] inline float Power(float x, float power) {
-  constexpr std::int32_t kSqrtHalf = 0x3F3504F3;   // bits of sqrt(1/2)
+  constexpr std::int32_t kSqrtHalf = 0x3F3504F3;  // bits of sqrt(1/2)
   const std::int32_t bits = std::bit_cast<std::int32_t>(x);
   const std::int32_t exponent = (bits - kSqrtHalf) >> 23;
   const float m = std::bit_cast<float>(bits - exponent * (1 << 23));
@@ -63,7 +63,7 @@ constexpr float kGamma = 2.4F;
   const float in_range = v > kEncodedBreak ? (v < kLargest ? v : 1.0F) : 1.0F;
   const float curve = Power((in_range + kOffset) * (1.0F / kScale), kGamma);
   const float finite = v > kEncodedBreak ? curve : v * (1.0F / kSlope);
-  const float large = v >= kLargest ? std::numeric_limits<float>::infinity() : v;   // NaN stays NaN
+  const float large = v >= kLargest ? std::numeric_limits<float>::infinity() : v;  // NaN stays NaN
   return v < kLargest ? finite : large;
 }
 

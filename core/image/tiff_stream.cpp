@@ -17,11 +17,11 @@ constexpr std::uint16_t kStripOffsets = 273;
 constexpr std::uint16_t kStripByteCounts = 279;
 constexpr std::uint16_t kTileOffsets = 324;
 constexpr std::uint16_t kTileByteCounts = 325;
-constexpr std::size_t kDateBytes = 20;   // "YYYY:MM:DD HH:MM:SS" and the NUL, always outside the entry
+constexpr std::size_t kDateBytes = 20;  // "YYYY:MM:DD HH:MM:SS" and the NUL, always outside the entry
 
 struct Entry {
-  std::uint64_t at = 0;       ///< of the entry itself
-  std::size_t value_bytes = 0;   ///< of one value
+  std::uint64_t at = 0;         ///< of the entry itself
+  std::size_t value_bytes = 0;  ///< of one value
   std::uint64_t count = 0;
   std::uint64_t values_at = 0;
 };
@@ -97,7 +97,8 @@ class Directory {
   std::uint64_t count_ = 0;
 };
 
-bool DataIsInside(const Directory& directory, std::uint64_t file_bytes, std::uint16_t offsets_tag, std::uint16_t counts_tag) {
+bool DataIsInside(const Directory& directory, std::uint64_t file_bytes, std::uint16_t offsets_tag,
+                  std::uint16_t counts_tag) {
   const auto offsets = directory.Find(offsets_tag);
   const auto counts = directory.Find(counts_tag);
   if (!offsets || !counts) return true;

@@ -180,9 +180,8 @@ Result<void> RunJob(const Job& job, Progress& progress, const std::atomic<bool>&
 
 /// Frames are megabytes that come and go: kept in the heap instead of being mapped, and zeroed by the kernel, each time.
 void KeepLargeBlocks() {
-  constexpr int kLargest = 256 << 20;
-  mallopt(M_MMAP_THRESHOLD, kLargest);
-  mallopt(M_TRIM_THRESHOLD, kLargest);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
 }  // namespace

@@ -41,13 +41,13 @@ constexpr std::uint64_t kSimpleBlock = 0xA3;
 constexpr std::uint64_t kBlockGroup = 0xA0;
 constexpr std::byte kVoid{0xEC};
 
-constexpr std::size_t kLongestHead = 12;   // identifier of 4 bytes, size of 8
+constexpr std::size_t kLongestHead = 12;  // identifier of 4 bytes, size of 8
 constexpr std::uint64_t kLargestMaster = std::uint64_t{1} << 24;
 
 struct Element {
   std::uint64_t id = 0;
-  std::size_t head = 0;      ///< bytes of identifier and size
-  std::uint64_t size = 0;    ///< bytes of payload
+  std::size_t head = 0;    ///< bytes of identifier and size
+  std::uint64_t size = 0;  ///< bytes of payload
   [[nodiscard]] std::uint64_t total() const { return head + size; }
 };
 
@@ -70,7 +70,7 @@ std::optional<Element> ParseHead(std::span<const std::byte> bytes) {
   const auto id = VariableInt(bytes, true, id_length);
   if (!id || id_length > 4) return std::nullopt;
   const auto size = VariableInt(bytes.subspan(id_length), false, size_length);
-  if (!size || *size == (std::uint64_t{1} << (7 * size_length)) - 1) return std::nullopt;   // "unknown": still open
+  if (!size || *size == (std::uint64_t{1} << (7 * size_length)) - 1) return std::nullopt;  // "unknown": still open
   return Element{*id, id_length + size_length, *size};
 }
 
@@ -138,7 +138,8 @@ class Settler {
     if (element.size > kLargestMaster) return Damaged(at);
     std::vector<std::byte> payload(element.size);
     const off_t where = static_cast<off_t>(at + element.head);
-    if (pread(descriptor_, payload.data(), payload.size(), where) != static_cast<ssize_t>(payload.size())) return Damaged(at);
+    if (pread(descriptor_, payload.data(), payload.size(), where) != static_cast<ssize_t>(payload.size()))
+      return Damaged(at);
     if (!RewriteChildren(payload)) return Damaged(at);
     if (pwrite(descriptor_, payload.data(), payload.size(), where) != static_cast<ssize_t>(payload.size())) {
       return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}': {}", name_, std::strerror(errno)));
@@ -165,7 +166,7 @@ class Settler {
     }
     if (checksum) {
       const std::uint32_t crc = base::Crc32(covered);
-      for (std::size_t i = 0; i < 4; ++i) (*checksum)[i] = static_cast<std::byte>(crc >> (8 * i));   // little-endian
+      for (std::size_t i = 0; i < 4; ++i) (*checksum)[i] = static_cast<std::byte>(crc >> (8 * i));  // little-endian
     }
     return true;
   }
@@ -175,13 +176,23 @@ class Settler {
     switch (id) {
       case kTrackEntry:
       case kTag:
-      case kTargets: return RewriteChildren(body);
-      case kSegmentUid: MakeVoid(whole); return true;
+      case kTargets:
+        return RewriteChildren(body);
+      case kSegmentUid:
+        MakeVoid(whole);
+        return true;
       case kTrackUid:
-      case kTagTrackUid: StoreBigEndian(body, kOnlyTrack); return true;
-      case kDefaultDuration: StoreFrameDuration(body); return true;
-      case kDocType: StoreDocType(whole, body); return true;
-      default: return true;
+      case kTagTrackUid:
+        StoreBigEndian(body, kOnlyTrack);
+        return true;
+      case kDefaultDuration:
+        StoreFrameDuration(body);
+        return true;
+      case kDocType:
+        StoreDocType(whole, body);
+        return true;
+      default:
+        return true;
     }
   }
 
@@ -196,7 +207,7 @@ class Settler {
   void StoreDocType(std::span<std::byte> whole, std::span<std::byte> body) const {
     if (kind_ != MatroskaKind::kWebm || body.size() != 8) return;
     std::memcpy(body.data(), "webm", 4);
-    whole[whole.size() - 9] = std::byte{0x84};   // the size's one byte: now 4
+    whole[whole.size() - 9] = std::byte{0x84};  // the size's one byte: now 4
     MakeVoid(body.subspan(4));
   }
 

@@ -10,7 +10,7 @@ namespace burin::video {
 
 Result<VideoModule*> LoadVideoModule() {
   static std::mutex mutex;
-  static VideoModule* loaded = nullptr;   // never freed: the shared object stays until the process ends
+  static VideoModule* loaded = nullptr;  // never freed: the shared object stays until the process ends
   const std::lock_guard lock(mutex);
   if (loaded == nullptr) {
     const Result<void*> function = base::LoadModuleFunction("burin_video_module", kVideoModuleFactory);

@@ -26,7 +26,7 @@ struct VideoInfo {
   int width = 0;
   int height = 0;
   FrameRate rate;
-  std::optional<long> frame_count;   ///< what the container says; empty when it doesn't (streams)
+  std::optional<long> frame_count;  ///< what the container says; empty when it doesn't (streams)
   Chroma chroma = Chroma::k420;
 };
 
@@ -53,7 +53,7 @@ struct VideoWriteOptions {
   int width = 0;
   int height = 0;
   FrameRate rate;
-  Chroma chroma = Chroma::k444;   ///< y4m only
+  Chroma chroma = Chroma::k444;  ///< y4m only
 };
 
 class VideoModule {

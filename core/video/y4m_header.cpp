@@ -84,7 +84,8 @@ Result<void> ReadInterlacing(std::string_view value, Y4mHeader& header, const st
   if (value == "t" || value == "b") {
     header.interlaced = true;
   } else if (value != "p" && value != "?" && value != "m") {
-    return Malformed(name, fmt::format("its interlacing {} is none of Ip, It, Ib, Im", Quoted(fmt::format("I{}", value))));
+    return Malformed(name,
+                     fmt::format("its interlacing {} is none of Ip, It, Ib, Im", Quoted(fmt::format("I{}", value))));
   }
   return {};
 }
@@ -92,7 +93,8 @@ Result<void> ReadInterlacing(std::string_view value, Y4mHeader& header, const st
 Result<void> ReadRate(std::string_view value, Y4mHeader& header, const std::string& name) {
   const auto rate = ParseRatio(value);
   if (!rate || (rate->numerator == 0) != (rate->denominator == 0)) {
-    return Malformed(name, fmt::format("its frame rate {} is no ratio like F30000:1001", Quoted(fmt::format("F{}", value))));
+    return Malformed(name,
+                     fmt::format("its frame rate {} is no ratio like F30000:1001", Quoted(fmt::format("F{}", value))));
   }
   if (rate->numerator > 0) header.info.rate = *rate;
   return {};
@@ -108,13 +110,17 @@ Result<void> ReadToken(std::string_view token, Y4mHeader& header, const std::str
       (token.front() == 'W' ? header.layout.width : header.layout.height) = *size;
       return {};
     }
-    case 'F': return ReadRate(value, header, name);
-    case 'I': return ReadInterlacing(value, header, name);
-    case 'C': return ReadColorSpace(value, header, name);
+    case 'F':
+      return ReadRate(value, header, name);
+    case 'I':
+      return ReadInterlacing(value, header, name);
+    case 'C':
+      return ReadColorSpace(value, header, name);
     case 'X':
       if (value == "COLORRANGE=FULL") header.layout.full_range = true;
       return {};
-    default: return {};   // the pixel aspect, and whatever comes in later versions
+    default:
+      return {};  // the pixel aspect, and whatever comes in later versions
   }
 }
 
@@ -125,9 +131,9 @@ Result<Y4mHeader> ParseY4mHeader(std::string_view line, const std::string& name)
     return Malformed(name, fmt::format("it is no YUV4MPEG2 stream: it begins with {}", Quoted(line)));
   }
   Y4mHeader header;
-  header.layout.chroma_shift_x = 1;   // without a C tag it is 4:2:0
+  header.layout.chroma_shift_x = 1;  // without a C tag it is 4:2:0
   header.layout.chroma_shift_y = 1;
-  header.info.rate = {25, 1};         // of streams that don't tell, as ffmpeg takes them
+  header.info.rate = {25, 1};  // of streams that don't tell, as ffmpeg takes them
   line.remove_prefix(kMagic.size());
   while (!line.empty()) {
     const std::size_t space = line.find(' ');
@@ -138,7 +144,8 @@ Result<Y4mHeader> ParseY4mHeader(std::string_view line, const std::string& name)
   }
   const std::int64_t width = header.layout.width;
   const std::int64_t height = header.layout.height;
-  if (width == 0 || height == 0) return Malformed(name, fmt::format("its header has no {}", width == 0 ? "width" : "height"));
+  if (width == 0 || height == 0)
+    return Malformed(name, fmt::format("its header has no {}", width == 0 ? "width" : "height"));
   if (width * height > kMostPixels) {
     return Malformed(name, fmt::format("its size {}x{} is over {} pixels", width, height, kMostPixels));
   }

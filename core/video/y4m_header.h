@@ -17,7 +17,7 @@ inline constexpr std::size_t kLongestY4mHeader = 4096;
 struct Y4mHeader {
   VideoInfo info;
   YcbcrLayout layout;
-  bool interlaced = false;   ///< both fields in one frame, and so in the chroma planes
+  bool interlaced = false;  ///< both fields in one frame, and so in the chroma planes
 };
 
 /// `line`: the first line without its newline. `name` is for messages, which are kInput.

@@ -92,7 +92,8 @@ class Y4mReader final : public VideoReader {
     }
     if (!complete) {
       if (line.size() < kLongestY4mHeader) return BrokeOff();
-      return Broken(name_, fmt::format("the header of frame {} is longer than {} bytes", frames_ + 1, kLongestY4mHeader));
+      return Broken(name_,
+                    fmt::format("the header of frame {} is longer than {} bytes", frames_ + 1, kLongestY4mHeader));
     }
     if (!ReadPlanes()) return stream_.error() == 0 ? Result<bool>(BrokeOff()) : ReadError();
     Convert(FrameIsInterlaced(line, header_.interlaced), frame);

@@ -21,7 +21,10 @@ constexpr std::string_view kFrameHeader = "FRAME\n";
 class Y4mWriter final : public VideoWriter {
  public:
   Y4mWriter(int descriptor, std::string name, const YcbcrLayout& layout)
-      : descriptor_(descriptor), name_(std::move(name)), layout_(layout), buffer_(kFrameHeader.size() + layout.frame_bytes()) {
+      : descriptor_(descriptor),
+        name_(std::move(name)),
+        layout_(layout),
+        buffer_(kFrameHeader.size() + layout.frame_bytes()) {
     std::memcpy(buffer_.data(), kFrameHeader.data(), kFrameHeader.size());
   }
 
@@ -35,11 +38,12 @@ class Y4mWriter final : public VideoWriter {
   Result<void> Write(const image::Image& frame) override {
     if (frame.type != image::SampleType::kU8 || (frame.channels != 3 && frame.channels != 4) ||
         frame.width != layout_.width || frame.height != layout_.height) {
-      return Fail(ErrorKind::kFailed,
-                  fmt::format("cannot write '{}': frame {} is {}x{} with {} channels of {} bits, the stream takes {}x{} "
-                              "8-bit RGB or RGBA",
-                              name_, frames_ + 1, frame.width, frame.height, frame.channels,
-                              8 * image::SampleBytes(frame.type), layout_.width, layout_.height));
+      return Fail(
+          ErrorKind::kFailed,
+          fmt::format("cannot write '{}': frame {} is {}x{} with {} channels of {} bits, the stream takes {}x{} "
+                      "8-bit RGB or RGBA",
+                      name_, frames_ + 1, frame.width, frame.height, frame.channels, 8 * image::SampleBytes(frame.type),
+                      layout_.width, layout_.height));
     }
     const std::span<std::uint8_t> planes = std::span(buffer_).subspan(kFrameHeader.size());
     if (frame.channels == 4) {
@@ -68,15 +72,15 @@ class Y4mWriter final : public VideoWriter {
 Result<std::unique_ptr<VideoWriter>> OpenY4mWriter(int descriptor, const std::string& name,
                                                    const VideoWriteOptions& options) {
   if (options.width <= 0 || options.height <= 0 || options.rate.numerator <= 0 || options.rate.denominator <= 0) {
-    return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}': a stream of {}x{} at {}:{} frames a second", name,
-                                                options.width, options.height, options.rate.numerator,
-                                                options.rate.denominator));
+    return Fail(ErrorKind::kFailed,
+                fmt::format("cannot write '{}': a stream of {}x{} at {}:{} frames a second", name, options.width,
+                            options.height, options.rate.numerator, options.rate.denominator));
   }
   base::WidenPipe(descriptor);
-  auto writer =
-      std::make_unique<Y4mWriter>(descriptor, name, LayoutOf(options.width, options.height, options.chroma));
+  auto writer = std::make_unique<Y4mWriter>(descriptor, name, LayoutOf(options.width, options.height, options.chroma));
   const std::string header = FormatY4mHeader(options);
-  if (const Result<void> sent = writer->Send(std::as_bytes(std::span(header))); !sent) return std::unexpected(sent.error());
+  if (const Result<void> sent = writer->Send(std::as_bytes(std::span(header))); !sent)
+    return std::unexpected(sent.error());
   return writer;
 }
 

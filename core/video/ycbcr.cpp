@@ -88,12 +88,12 @@ int ChromaRow(const YcbcrLayout& layout, bool interlaced, int row) {
 
 constexpr int kYr = Fixed(kKr * 219.0 / 255.0);
 constexpr int kYb = Fixed(kKb * 219.0 / 255.0);
-constexpr int kYg = Fixed(219.0 / 255.0) - kYr - kYb;   // so that white is 235 exactly
+constexpr int kYg = Fixed(219.0 / 255.0) - kYr - kYb;  // so that white is 235 exactly
 constexpr double kCbScale = 224.0 / 255.0 / (2.0 * (1.0 - kKb));
 constexpr double kCrScale = 224.0 / 255.0 / (2.0 * (1.0 - kKr));
 constexpr int kCbr = Fixed(-kKr * kCbScale);
 constexpr int kCbb = Fixed((1.0 - kKb) * kCbScale);
-constexpr int kCbg = -kCbr - kCbb;                      // so that greys are 128 exactly
+constexpr int kCbg = -kCbr - kCbb;  // so that greys are 128 exactly
 constexpr int kCrr = Fixed((1.0 - kKr) * kCrScale);
 constexpr int kCrb = Fixed(-kKb * kCrScale);
 constexpr int kCrg = -kCrr - kCrb;
@@ -136,8 +136,8 @@ BURIN_TARGET_CLONES void ChromaRowHalved(const U32* __restrict above, const U32*
     const U32 d = below[2 * i + 1];
     const U32 red_blue = (a & kRedBlue) + (b & kRedBlue) + (c & kRedBlue) + (d & kRedBlue);
     const U32 green = ((a >> 8) & 0xFFU) + ((b >> 8) & 0xFFU) + ((c >> 8) & 0xFFU) + ((d >> 8) & 0xFFU);
-    StoreChroma<2>(static_cast<int>(red_blue & 0xFFFFU), static_cast<int>(green), static_cast<int>(red_blue >> 16), cb[i],
-                   cr[i]);
+    StoreChroma<2>(static_cast<int>(red_blue & 0xFFFFU), static_cast<int>(green), static_cast<int>(red_blue >> 16),
+                   cb[i], cr[i]);
   }
 }
 

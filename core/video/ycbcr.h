@@ -2,8 +2,8 @@
 #pragma once
 // 8-bit planar Y'CbCr to and from 8-bit R'G'B'. The matrix is always that of ITU-R BT.601: YUV4MPEG2 has no field for
 // it, and ffmpeg's scaler takes BT.601 for whatever has no tag, so a stream from ffmpeg through burin and back keeps
-// its colours whatever its own matrix was. Chroma is replicated on the way in and box-averaged on the way out, which are
-// exact inverses of each other.
+// its colours whatever its own matrix was. Chroma is replicated on the way in and box-averaged on the way out, which
+// are exact inverses of each other.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace burin::video {
 struct YcbcrLayout {
   int width = 0;
   int height = 0;
-  int chroma_shift_x = 0;   ///< log2 of the luma columns to a chroma column: 0, 1 or 2
+  int chroma_shift_x = 0;  ///< log2 of the luma columns to a chroma column: 0, 1 or 2
   int chroma_shift_y = 0;
   bool has_chroma = true;   ///< false: only Y
   bool has_alpha = false;   ///< a plane of luma's size after the others, not looked at

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Optimal string alignment distance (Damerau-Levenshtein without a second edit of a transposed pair), letters' case free.
+// Optimal string alignment distance (Damerau-Levenshtein without a second edit of a transposed pair), case ignored.
 
 #include <algorithm>
 

@@ -31,7 +31,6 @@ struct TypeName {
   Range range;
   std::string name;       ///< as written
   Type type;              ///< built-in types: complete. Struct: kind kStruct, resolved by semantics
-  std::vector<ExpressionPtr> vector_arguments;   ///< of vector<T,n> and matrix<T,r,c> when not plain literals
 };
 
 enum Qualifier : std::uint32_t {
@@ -126,8 +125,8 @@ struct Variable {
   Range semantic_range;
   std::vector<std::string> registers;   ///< of register(...) and packoffset(...), as written
   std::vector<Annotation> annotations;
-  ExpressionPtr initializer;    ///< may be null; a StateBlockExpression for samplers (also ReShade's `sampler s { ... }`
-                                ///< and `texture t { ... }`)
+  ExpressionPtr initializer;    ///< may be null; a StateBlockExpression for samplers (also ReShade's
+                                ///< `sampler s { ... }` and `texture t { ... }`)
   bool is_global = false;
   bool is_parameter = false;    ///< of a function
   Type type;                    ///< with arrays; filled by semantics

@@ -95,7 +95,9 @@ class Evaluator {
   }
 
  private:
-  [[nodiscard]] TokenKind Kind() const { return position_ < tokens_.size() ? tokens_[position_].kind : TokenKind::kEnd; }
+  [[nodiscard]] TokenKind Kind() const {
+    return position_ < tokens_.size() ? tokens_[position_].kind : TokenKind::kEnd;
+  }
 
   std::int64_t Fail(const std::string& text) {
     const Range& range = position_ < tokens_.size() ? tokens_[position_].range() : directive_.range();
@@ -192,7 +194,8 @@ class Evaluator {
 
   std::int64_t Primary() {
     if (position_ == tokens_.size()) {
-      return Fail("#" + std::string(directive_.text) + (tokens_.empty() ? " has no expression" : ": the expression ends too early"));
+      const std::string fault = tokens_.empty() ? " has no expression" : ": the expression ends too early";
+      return Fail("#" + std::string(directive_.text) + fault);
     }
     const Token& token = tokens_[position_];
     if (token.kind == TokenKind::kInteger) {

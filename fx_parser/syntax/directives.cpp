@@ -90,7 +90,8 @@ void Preprocessor::Warning(const Token& directive) {
 
 void Preprocessor::Line(const Token& directive) {
   const std::vector<Token> tokens = MacroExpander::ExpandAll(context_, RestOfLineTokens());
-  const auto number = !tokens.empty() && tokens[0].kind == TokenKind::kInteger ? ParseInteger(tokens[0].text) : std::nullopt;
+  const bool has_number = !tokens.empty() && tokens[0].kind == TokenKind::kInteger;
+  const auto number = has_number ? ParseInteger(tokens[0].text) : std::nullopt;
   const bool has_path = tokens.size() > 1;
   if (!number || number->value > std::numeric_limits<std::int32_t>::max() ||
       (has_path && tokens[1].kind != TokenKind::kString)) {

@@ -72,7 +72,8 @@ bool Preprocessor::ExpandIncludeName(const Token& directive, std::string& name, 
   range = tokens.empty() ? directive.range() : Join(tokens.front().range(), tokens.back().range());
   if (tokens.size() == 1 && tokens[0].kind == TokenKind::kString) {
     name = tokens[0].text.substr(1, tokens[0].text.size() - 2);
-  } else if (tokens.size() > 2 && tokens.front().kind == TokenKind::kLess && tokens.back().kind == TokenKind::kGreater) {
+  } else if (tokens.size() > 2 && tokens.front().kind == TokenKind::kLess &&
+             tokens.back().kind == TokenKind::kGreater) {
     for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
       if (i > 1 && tokens[i].space_before) name += ' ';
       name += tokens[i].text;

@@ -113,7 +113,8 @@ bool MacroExpander::CollectArguments(const Token& name, const Macro& macro, std:
     Token token = Pull(true);
     if (token.kind == TokenKind::kEnd) {
       if (!context_.stopped()) {
-        context_.diagnostics().Error(name.range(), "B1011", "missing ')' to end the arguments of macro '" + macro.name + "'");
+        context_.diagnostics().Error(name.range(), "B1011",
+                                     "missing ')' to end the arguments of macro '" + macro.name + "'");
       }
       return false;
     }

@@ -11,7 +11,7 @@
 
 namespace burin::fx {
 
-/// Where an expansion takes its unexpanded tokens from. kEnd means no more (for `inside_arguments`: no more in this file).
+/// Where an expansion takes its unexpanded tokens from. kEnd means no more; for `inside_arguments`, no more in this file.
 class TokenSource {
  public:
   virtual ~TokenSource() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A macro's body with its arguments put in: the # and ## operators (C99 6.10.3.1 to 6.10.3.3). Unlike C, a ## whose result
-// is not one token gives the several tokens that it spells, as under FXC.
+// A macro's body with its arguments put in: the # and ## operators (C99 6.10.3.1 to 6.10.3.3). Unlike C, a ## whose
+// result is not one token gives the several tokens that it spells, as under FXC.
 
 #include <utility>
 

@@ -25,10 +25,10 @@ struct PreprocessOptions {
 /// an #error or a passed limit the module is empty: what follows would only be errors of their making. Never throws.
 ///
 /// What a semantic check may rely on after a parse without errors:
-/// - every TypeName is a built-in type (TypeName::type complete, row_major set from qualifier and #pragma pack_matrix), or
-///   the name of a struct or typedef declared before it (kind kStruct). An anonymous struct's users have
+/// - every TypeName is a built-in type (TypeName::type complete, row_major set from qualifier and #pragma pack_matrix),
+///   or the name of a struct or typedef declared before it (kind kStruct). An anonymous struct's users have
 ///   type.structure set already. An unknown type name has been reported and has kind kError.
-/// - no expression tree is higher, and no statements nest deeper, than the limits below, so recursion over them is safe.
+/// - no expression tree is higher, and no statements nest deeper, than the limits below: recursion over them is safe.
 /// - struct, typedef and variable names may still be declared twice.
 [[nodiscard]] ast::Module Parse(const std::string& path, const FileSystem& files, const PreprocessOptions& options,
                                 SourceSet& sources, Diagnostics& diagnostics);

@@ -32,7 +32,8 @@ void Parser::ParseTopLevel(ast::Module& module) {
     parsed = ParseTypedef(typedefs, structure);
     if (structure) module.declarations.emplace_back(std::move(structure));
     for (auto& entry : typedefs) module.declarations.emplace_back(std::move(entry));
-  } else if ((IsWord("cbuffer") || IsWord("tbuffer")) && (Is(TokenKind::kIdentifier, 1) || Is(TokenKind::kLeftBrace, 1))) {
+  } else if ((IsWord("cbuffer") || IsWord("tbuffer")) &&
+             (Is(TokenKind::kIdentifier, 1) || Is(TokenKind::kLeftBrace, 1))) {
     parsed = ParseBuffer(module);
   } else if (IsWord("namespace") && Is(TokenKind::kIdentifier, 1)) {
     parsed = ParseNamespace(module);
@@ -74,7 +75,8 @@ bool Parser::ParseGlobal(ast::Module& module) {
   return parsed;
 }
 
-bool Parser::ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, std::unique_ptr<ast::Struct>& structure) {
+bool Parser::ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs,
+                          std::unique_ptr<ast::Struct>& structure) {
   Advance();
   Specifiers specifiers;
   if (!ParseSpecifiers(specifiers)) return false;
@@ -82,7 +84,7 @@ bool Parser::ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, 
   do {
     auto entry = std::make_unique<ast::Typedef>();
     if (!ExpectName("a name for the type", entry->name, entry->range)) return false;
-    entry->type_name = CopyType(specifiers.type);
+    entry->type_name = specifiers.type;
     if (!ParseArraySizes(entry->array_sizes)) return false;
     names_.Declare(entry->name, true);
     typedefs.push_back(std::move(entry));

@@ -54,7 +54,7 @@ bool Parser::ParseMember(ast::Struct& structure) {
   do {
     auto member = std::make_unique<ast::Variable>();
     member->qualifiers = specifiers.qualifiers;
-    member->type_name = CopyType(specifiers.type);
+    member->type_name = specifiers.type;
     if (!ExpectName("a member's name", member->name, member->range)) return false;
     name = member->name;
     if (!ParseArraySizes(member->array_sizes)) return false;

@@ -178,19 +178,16 @@ bool Parser::ParseVectorArguments(ast::TypeName& type) {
   const Setting angle(stop_at_greater_, true);
   for (int i = 0; i < (type.type.is_matrix ? 2 : 1); ++i) {
     if (!Expect(TokenKind::kComma, "',' and a size in " + type.name + "<...>")) return false;
-    const bool is_literal = Is(TokenKind::kInteger) && !Is(TokenKind::kPlus, 1);
-    const std::optional<IntegerValue> size = is_literal ? ParseInteger(Peek().text) : std::nullopt;
-    if (size && (size->value < 1 || size->value > 4)) {
-      Report(Peek().range(), "the size of a " + type.name + " is 1 to 4, not " + std::string(Peek().text), "X3052");
+    const std::size_t first = position_;
+    const ast::ExpressionPtr size = ParseBinary(1);
+    if (!size) return false;
+    const auto* literal = std::get_if<ast::IntLiteral>(&size->node);
+    if (!literal || literal->value < 1 || literal->value > 4) {
+      const std::string found = TextOf(first, position_);
+      Report(size->range, "the size of a " + type.name + " is a number from 1 to 4, not '" + found + "'", "X3052");
       return false;
     }
-    ast::ExpressionPtr expression = ParseBinary(1);
-    if (!expression) return false;
-    if (const auto* literal = std::get_if<ast::IntLiteral>(&expression->node)) {
-      *sizes[i] = static_cast<std::uint8_t>(literal->value);
-    } else {
-      type.vector_arguments.push_back(std::move(expression));
-    }
+    *sizes[i] = static_cast<std::uint8_t>(literal->value);
   }
   return ExpectClosingAngle(opening);
 }

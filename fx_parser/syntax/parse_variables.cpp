@@ -5,16 +5,6 @@
 
 namespace burin::fx {
 
-// What one specifier gives to each of its declarators. Sizes that are no literals belong to the first alone (they cannot
-// be copied); nobody writes `vector<float, N> a, b`.
-ast::TypeName Parser::CopyType(const ast::TypeName& type) {
-  ast::TypeName copy;
-  copy.range = type.range;
-  copy.name = type.name;
-  copy.type = type.type;
-  return copy;
-}
-
 bool Parser::ParseVariables(const Specifiers& specifiers, bool is_global, VariableList& variables) {
   do {
     std::unique_ptr<ast::Variable> variable = ParseVariable(specifiers, is_global);
@@ -33,7 +23,7 @@ std::unique_ptr<ast::Variable> Parser::ParseVariable(const Specifiers& specifier
   auto variable = std::make_unique<ast::Variable>();
   if (!ExpectName("a name after type '" + specifiers.type.name + "'", variable->name, variable->range)) return nullptr;
   variable->qualifiers = specifiers.qualifiers;
-  variable->type_name = CopyType(specifiers.type);
+  variable->type_name = specifiers.type;
   variable->is_global = is_global;
   if (!ParseArraySizes(variable->array_sizes)) return nullptr;
   names_.Declare(variable->name, false);

@@ -48,7 +48,8 @@ bool Parser::Expect(TokenKind kind, const std::string& what) {
 
 bool Parser::ExpectClosing(TokenKind kind, const std::string& what, const Range& opening) {
   if (Accept(kind)) return true;
-  Report(Peek().range(), "expected " + what + ", found " + Describe(Peek())).notes.push_back({opening, "to match this"});
+  const std::string text = "expected " + what + ", found " + Describe(Peek());
+  Report(Peek().range(), text).notes.push_back({opening, "to match this"});
   return false;
 }
 

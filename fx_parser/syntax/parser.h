@@ -97,7 +97,6 @@ class Parser {
   bool ParseAnnotations(std::vector<ast::Annotation>& annotations);
   bool ParseAnnotation(ast::Annotation& annotation);
   bool ExpectClosingAngle(const Range& opening);
-  static ast::TypeName CopyType(const ast::TypeName& type);
 
   // parse_functions.cpp
   std::unique_ptr<ast::Function> ParseFunction(Specifiers& specifiers);

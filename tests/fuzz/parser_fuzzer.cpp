@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an effect: preprocessed, parsed, and every message printed. The text up to a line "//--" is the main file,
-// the rest a file that it may include as "inner.fxh".
+// Any bytes as an effect: preprocessed, parsed, and every message printed. The text up to a line "//--" is the main
+// file, the rest a file that it may include as "inner.fxh".
 
 #include <cstddef>
 #include <cstdint>

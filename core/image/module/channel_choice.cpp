@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostChannels = 4;
 
 struct LayerName {
-  std::string_view layer;     ///< with its dot, "" for the main layer
+  std::string_view layer;  ///< with its dot, "" for the main layer
   std::string_view channel;
 };
 

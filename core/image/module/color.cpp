@@ -29,7 +29,8 @@ class OcioTransform final : public ColorTransform {
     constexpr std::size_t kBlockPixels = 1024;
     float alpha[kBlockPixels];
     for (std::size_t done = 0; done + 3 < rgba.size(); done += kBlockPixels * 4) {
-      const std::span<float> block = rgba.subspan(done, std::min(kBlockPixels * 4, (rgba.size() - done) & ~std::size_t{3}));
+      const std::span<float> block =
+          rgba.subspan(done, std::min(kBlockPixels * 4, (rgba.size() - done) & ~std::size_t{3}));
       const std::size_t pixels = block.size() / 4;
       for (std::size_t i = 0; i < pixels; ++i) alpha[i] = block[4 * i + 3];
       ocio::PackedImageDesc description(block.data(), static_cast<long>(pixels), 1, 4);
@@ -53,17 +54,19 @@ std::vector<std::string> Names(Count count, Name name) {
 
 Result<ocio::ConstConfigRcPtr> LoadConfig(const std::string& path) {
   if (path.starts_with("ocio://") && ocio::GetVersionHex() < 0x02020000) {
-    return Fail(ErrorKind::kUsage, fmt::format("cannot use the OpenColorIO configuration '{}': configurations built into "
-                                               "the library come with OpenColorIO 2.2, this is {}; give the path of a "
-                                               "configuration file",
-                                               path, ocio::GetVersion()));
+    return Fail(ErrorKind::kUsage,
+                fmt::format("cannot use the OpenColorIO configuration '{}': configurations built into "
+                            "the library come with OpenColorIO 2.2, this is {}; give the path of a "
+                            "configuration file",
+                            path, ocio::GetVersion()));
   }
   try {
     ocio::ConstConfigRcPtr config = ocio::Config::CreateFromFile(path.c_str());
     config->validate();
     return config;
   } catch (const std::exception& e) {
-    return Fail(ErrorKind::kInput, fmt::format("cannot read the OpenColorIO configuration '{}': {}", path, FirstLine(e.what())));
+    return Fail(ErrorKind::kInput,
+                fmt::format("cannot read the OpenColorIO configuration '{}': {}", path, FirstLine(e.what())));
   }
 }
 
@@ -91,8 +94,9 @@ ocio::ConstCPUProcessorRcPtr Processor(const ocio::Config& config, const std::st
   transform->setView(view.c_str());
   const ocio::ConstProcessorRcPtr processor = config.getProcessor(transform, direction);
   // The default optimisation's fast logarithms and powers are good to 12 bits only.
-  constexpr auto kExactMath = static_cast<ocio::OptimizationFlags>(
-      static_cast<unsigned>(ocio::OPTIMIZATION_VERY_GOOD) & ~static_cast<unsigned>(ocio::OPTIMIZATION_FAST_LOG_EXP_POW));
+  constexpr auto kExactMath =
+      static_cast<ocio::OptimizationFlags>(static_cast<unsigned>(ocio::OPTIMIZATION_VERY_GOOD) &
+                                           ~static_cast<unsigned>(ocio::OPTIMIZATION_FAST_LOG_EXP_POW));
   return processor->getOptimizedCPUProcessor(kExactMath);
 }
 

@@ -48,9 +48,12 @@ class MemoryStream final : public Imf::OStream {
 
 Imf::PixelType PixelTypeOf(SampleType type) {
   switch (type) {
-    case SampleType::kU32: return Imf::UINT;
-    case SampleType::kF16: return Imf::HALF;
-    default: return Imf::FLOAT;
+    case SampleType::kU32:
+      return Imf::UINT;
+    case SampleType::kF16:
+      return Imf::HALF;
+    default:
+      return Imf::FLOAT;
   }
 }
 
@@ -67,12 +70,14 @@ Result<void> CheckLayers(const std::string& path, std::span<const Layer> layers)
   std::vector<std::string> names;
   for (const Layer& layer : layers) {
     if (layer.image->width != first.width || layer.image->height != first.height) {
-      return CannotWrite(path, fmt::format("its layers differ in size: {}x{} and {}x{} ({})", first.width, first.height,
-                                           layer.image->width, layer.image->height, fmt::join(layer.channel_names, ", ")));
+      return CannotWrite(path,
+                         fmt::format("its layers differ in size: {}x{} and {}x{} ({})", first.width, first.height,
+                                     layer.image->width, layer.image->height, fmt::join(layer.channel_names, ", ")));
     }
     if (layer.channel_names.size() != static_cast<std::size_t>(layer.image->channels)) {
-      return CannotWrite(path, fmt::format("{} channel names ({}) for an image of {} channels", layer.channel_names.size(),
-                                           fmt::join(layer.channel_names, ", "), layer.image->channels));
+      return CannotWrite(path,
+                         fmt::format("{} channel names ({}) for an image of {} channels", layer.channel_names.size(),
+                                     fmt::join(layer.channel_names, ", "), layer.image->channels));
     }
     names.insert(names.end(), layer.channel_names.begin(), layer.channel_names.end());
   }
@@ -89,7 +94,7 @@ void Encode(std::span<const Layer> layers, const WriteOptions& options, MemorySt
   Imf::Header header(width, height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer pixels;
-  std::deque<Image> storage;   // of converted layers; its elements stay where they are
+  std::deque<Image> storage;  // of converted layers; its elements stay where they are
   for (const Layer& layer : layers) {
     const Image& image = Fitted(*layer.image, storage);
     const std::size_t sample = SampleBytes(image.type);

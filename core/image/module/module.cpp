@@ -20,10 +20,14 @@ namespace {
 // Channel names of a plain picture, as OpenEXR's technical introduction gives them.
 std::vector<std::string> PictureChannels(int channels) {
   switch (channels) {
-    case 1: return {"Y"};
-    case 2: return {"Y", "A"};
-    case 3: return {"R", "G", "B"};
-    default: return {"R", "G", "B", "A"};
+    case 1:
+      return {"Y"};
+    case 2:
+      return {"Y", "A"};
+    case 3:
+      return {"R", "G", "B"};
+    default:
+      return {"R", "G", "B", "A"};
   }
 }
 
@@ -42,7 +46,8 @@ class OiioModule final : public ImageModule {
     return WriteExr(path, {&layer, 1}, options);
   }
 
-  Result<void> WriteLayers(const std::string& path, std::span<const Layer> layers, const WriteOptions& options) override {
+  Result<void> WriteLayers(const std::string& path, std::span<const Layer> layers,
+                           const WriteOptions& options) override {
     if (base::LowerExtension(path) != "exr") {
       return Fail(ErrorKind::kUsage, fmt::format("cannot write '{}': only .exr holds layers", path));
     }
@@ -56,10 +61,9 @@ class OiioModule final : public ImageModule {
   Result<std::shared_ptr<const ColorTransform>> MakeColorTransform(const ColorOptions& options) override {
     if (!options.config.empty()) return MakeOcioTransform(options);
     if (!options.display.empty() || !options.view.empty()) {
-      return Fail(ErrorKind::kUsage,
-                  fmt::format("{} '{}' needs an OpenColorIO configuration (--ocio or $OCIO)",
-                              options.display.empty() ? "view" : "display",
-                              options.display.empty() ? options.view : options.display));
+      return Fail(ErrorKind::kUsage, fmt::format("{} '{}' needs an OpenColorIO configuration (--ocio or $OCIO)",
+                                                 options.display.empty() ? "view" : "display",
+                                                 options.display.empty() ? options.view : options.display));
     }
     return SrgbTransform();
   }
@@ -74,8 +78,8 @@ class OiioModule final : public ImageModule {
   static Result<void> CheckImage(const std::string& path, const Image& image) {
     if (image.width <= 0 || image.height <= 0 ||
         image.pixels.size() != image.RowBytes() * static_cast<std::size_t>(image.height)) {
-      return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}': {} bytes of pixels do not make a {}x{} picture", path,
-                                                  image.pixels.size(), image.width, image.height));
+      return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}': {} bytes of pixels do not make a {}x{} picture",
+                                                  path, image.pixels.size(), image.width, image.height));
     }
     return CheckWritable(path, image.type, image.channels);
   }

@@ -45,9 +45,12 @@ const Image& Fitted(const Image& image, std::string_view extension, Image& stora
 
 OIIO::TypeDesc TypeDescOf(SampleType type) {
   switch (type) {
-    case SampleType::kU8: return OIIO::TypeDesc::UINT8;
-    case SampleType::kU16: return OIIO::TypeDesc::UINT16;
-    default: return OIIO::TypeDesc::FLOAT;
+    case SampleType::kU8:
+      return OIIO::TypeDesc::UINT8;
+    case SampleType::kU16:
+      return OIIO::TypeDesc::UINT16;
+    default:
+      return OIIO::TypeDesc::FLOAT;
   }
 }
 
@@ -66,7 +69,7 @@ OIIO::ImageSpec SpecOf(const Image& image, std::string_view extension, const Wri
   } else if (extension == "tif" || extension == "tiff") {
     spec.attribute("compression", "zip");
   } else if (extension == "png") {
-    // Measured on 1080p renderings: level 6 takes three times as long for files a few per cent smaller.
+    // Measured on a 1080p photograph: level 6 takes three times as long for a file 8 % smaller.
     spec.attribute("png:compressionLevel", 3);
   }
   std::string description;

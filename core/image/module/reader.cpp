@@ -27,7 +27,7 @@
 namespace burin::image {
 namespace {
 
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;   // 16384 x 16384, the largest texture of llvmpipe
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;  // 16384 x 16384, the largest texture of llvmpipe
 // A header that claims far more than its file could hold is a lie or a bomb: no codec here packs a real picture so
 // tightly (deflate ends at 1032:1). Only checked where it would cost memory.
 constexpr std::uint64_t kHarmlessBytes = std::uint64_t{256} << 20;
@@ -47,23 +47,34 @@ std::string Tidy(std::string text, const std::string& name) {
 
 std::optional<SampleType> TypeOf(OIIO::TypeDesc type) {
   switch (type.basetype) {
-    case OIIO::TypeDesc::UINT8: return SampleType::kU8;
-    case OIIO::TypeDesc::UINT16: return SampleType::kU16;
-    case OIIO::TypeDesc::UINT32: return SampleType::kU32;
-    case OIIO::TypeDesc::HALF: return SampleType::kF16;
+    case OIIO::TypeDesc::UINT8:
+      return SampleType::kU8;
+    case OIIO::TypeDesc::UINT16:
+      return SampleType::kU16;
+    case OIIO::TypeDesc::UINT32:
+      return SampleType::kU32;
+    case OIIO::TypeDesc::HALF:
+      return SampleType::kF16;
     case OIIO::TypeDesc::FLOAT:
-    case OIIO::TypeDesc::DOUBLE: return SampleType::kF32;
-    default: return std::nullopt;
+    case OIIO::TypeDesc::DOUBLE:
+      return SampleType::kF32;
+    default:
+      return std::nullopt;
   }
 }
 
 OIIO::TypeDesc TypeDescOf(SampleType type) {
   switch (type) {
-    case SampleType::kU8: return OIIO::TypeDesc::UINT8;
-    case SampleType::kU16: return OIIO::TypeDesc::UINT16;
-    case SampleType::kU32: return OIIO::TypeDesc::UINT32;
-    case SampleType::kF16: return OIIO::TypeDesc::HALF;
-    case SampleType::kF32: return OIIO::TypeDesc::FLOAT;
+    case SampleType::kU8:
+      return OIIO::TypeDesc::UINT8;
+    case SampleType::kU16:
+      return OIIO::TypeDesc::UINT16;
+    case SampleType::kU32:
+      return OIIO::TypeDesc::UINT32;
+    case SampleType::kF16:
+      return OIIO::TypeDesc::HALF;
+    case SampleType::kF32:
+      return OIIO::TypeDesc::FLOAT;
   }
   return OIIO::TypeDesc::UNKNOWN;
 }
@@ -71,10 +82,13 @@ OIIO::TypeDesc TypeDescOf(SampleType type) {
 Encoding EncodingOf(SampleType type) {
   switch (type) {
     case SampleType::kU8:
-    case SampleType::kU16: return Encoding::kDisplay;
-    case SampleType::kU32: return Encoding::kData;
+    case SampleType::kU16:
+      return Encoding::kDisplay;
+    case SampleType::kU32:
+      return Encoding::kData;
     case SampleType::kF16:
-    case SampleType::kF32: return Encoding::kSceneLinear;
+    case SampleType::kF32:
+      return Encoding::kSceneLinear;
   }
   return Encoding::kData;
 }
@@ -119,7 +133,8 @@ Result<Plan> Check(const OIIO::ImageSpec& spec, const std::string& name, std::ui
   if (spec.deep) return CannotRead(name, "it is a deep image; flatten it first");
   if (spec.depth > 1) return CannotRead(name, "it is a volume");
   if (spec.width <= 0 || spec.height <= 0 || std::int64_t{spec.width} * spec.height > kMostPixels) {
-    return CannotRead(name, fmt::format("its size {}x{} is outside 1x1 to {} pixels", spec.width, spec.height, kMostPixels));
+    return CannotRead(name,
+                      fmt::format("its size {}x{} is outside 1x1 to {} pixels", spec.width, spec.height, kMostPixels));
   }
   if (const auto model = RefusedColorModel(spec)) {
     return CannotRead(name, fmt::format("its colours are {}; convert it to RGB or grey first", *model));
@@ -131,13 +146,14 @@ Result<Plan> Check(const OIIO::ImageSpec& spec, const std::string& name, std::ui
   }
   const auto type = CommonType(spec, *channels);
   if (!type) {
-    return CannotRead(name, fmt::format("its samples are {}; 8- and 16-bit unsigned, half and float are read",
-                                        spec.format.c_str()));
+    return CannotRead(
+        name, fmt::format("its samples are {}; 8- and 16-bit unsigned, half and float are read", spec.format.c_str()));
   }
   const std::uint64_t bytes = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) *
                               channels->size() * SampleBytes(*type);
   if (bytes > kHarmlessBytes && bytes / kMostRatio > file_bytes) {
-    return CannotRead(name, fmt::format("it claims {}x{} pixels in a file of {} bytes", spec.width, spec.height, file_bytes));
+    return CannotRead(name,
+                      fmt::format("it claims {}x{} pixels in a file of {} bytes", spec.width, spec.height, file_bytes));
   }
   return Plan{*channels, *type};
 }
@@ -157,10 +173,11 @@ Result<Image> ToDisplayWindow(Image data, const OIIO::ImageSpec& spec, const std
   if (left >= right) return full;
   const std::size_t pixel = static_cast<std::size_t>(data.channels) * SampleBytes(data.type);
   for (int row = std::max(y, 0); row < std::min(y + data.height, full.height); ++row) {
-    std::memcpy(full.pixels.data() + static_cast<std::size_t>(row) * full.RowBytes() + static_cast<std::size_t>(left) * pixel,
-                data.pixels.data() + static_cast<std::size_t>(row - y) * data.RowBytes() +
-                    static_cast<std::size_t>(left - x) * pixel,
-                static_cast<std::size_t>(right - left) * pixel);
+    std::memcpy(
+        full.pixels.data() + static_cast<std::size_t>(row) * full.RowBytes() + static_cast<std::size_t>(left) * pixel,
+        data.pixels.data() + static_cast<std::size_t>(row - y) * data.RowBytes() +
+            static_cast<std::size_t>(left - x) * pixel,
+        static_cast<std::size_t>(right - left) * pixel);
   }
   return full;
 }
@@ -173,7 +190,8 @@ Result<Image> ReadTiffRows(OIIO::ImageInput& input, const Plan& plan, Image imag
   std::vector<std::byte> row(static_cast<std::size_t>(image.width) * stored_channels * sample);
   std::byte* target = image.pixels.data();
   for (int y = 0; y < image.height; ++y) {
-    if (!input.read_scanline(y + input.spec().y, 0, type, row.data())) return CannotRead(name, Tidy(input.geterror(), name));
+    if (!input.read_scanline(y + input.spec().y, 0, type, row.data()))
+      return CannotRead(name, Tidy(input.geterror(), name));
     for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x) {
       for (const int channel : plan.channels) {
         std::memcpy(target, row.data() + (x * stored_channels + static_cast<std::size_t>(channel)) * sample, sample);
@@ -186,14 +204,17 @@ Result<Image> ReadTiffRows(OIIO::ImageInput& input, const Plan& plan, Image imag
 
 Result<Image> ReadPixels(OIIO::ImageInput& input, const Plan& plan, const std::string& name) {
   const OIIO::ImageSpec& spec = input.spec();
-  Image image = MakeImage(spec.width, spec.height, static_cast<int>(plan.channels.size()), plan.type, EncodingOf(plan.type));
+  Image image =
+      MakeImage(spec.width, spec.height, static_cast<int>(plan.channels.size()), plan.type, EncodingOf(plan.type));
   if (std::string_view(input.format_name()) == "tiff" && spec.tile_width == 0) {
     return ReadTiffRows(input, plan, std::move(image), name);
   }
   const OIIO::TypeDesc type = TypeDescOf(plan.type);
-  const bool in_order = std::ranges::adjacent_find(plan.channels, [](int a, int b) { return b != a + 1; }) == plan.channels.end();
+  const bool in_order =
+      std::ranges::adjacent_find(plan.channels, [](int a, int b) { return b != a + 1; }) == plan.channels.end();
   if (in_order) {
-    if (input.read_image(0, 0, plan.channels.front(), plan.channels.back() + 1, type, image.pixels.data())) return image;
+    if (input.read_image(0, 0, plan.channels.front(), plan.channels.back() + 1, type, image.pixels.data()))
+      return image;
     return CannotRead(name, Tidy(input.geterror(), name));
   }
   const OIIO::stride_t pixel = static_cast<OIIO::stride_t>(image.RowBytes()) / image.width;

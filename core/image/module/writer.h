@@ -13,6 +13,7 @@ namespace burin::image {
 [[nodiscard]] Result<void> WriteWithOiio(const std::string& path, const Image& image, const WriteOptions& options);
 
 /// OpenEXR through its own library: one scanline part, ZIP compression, per-channel types.
-[[nodiscard]] Result<void> WriteExr(const std::string& path, std::span<const Layer> layers, const WriteOptions& options);
+[[nodiscard]] Result<void> WriteExr(const std::string& path, std::span<const Layer> layers,
+                                    const WriteOptions& options);
 
 }  // namespace burin::image

@@ -17,7 +17,7 @@
 namespace burin::video {
 namespace {
 
-constexpr int kAvLogError = 16;   // AV_LOG_ERROR; more serious is lower
+constexpr int kAvLogError = 16;  // AV_LOG_ERROR; more serious is lower
 
 std::mutex error_mutex;
 std::string& LastError() {

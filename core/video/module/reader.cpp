@@ -71,8 +71,8 @@ class OpencvReader final : public VideoReader {
     }
     held_ = false;
     if (bgr_.cols != info_.width || bgr_.rows != info_.height || bgr_.type() != CV_8UC3) {
-      return CannotRead(path_, fmt::format("frame {} is {}x{}, those before are {}x{}", frames_ + 1, bgr_.cols, bgr_.rows,
-                                           info_.width, info_.height));
+      return CannotRead(path_, fmt::format("frame {} is {}x{}, those before are {}x{}", frames_ + 1, bgr_.cols,
+                                           bgr_.rows, info_.width, info_.height));
     }
     const std::size_t bytes = static_cast<std::size_t>(info_.width) * static_cast<std::size_t>(info_.height) * 4;
     if (frame.pixels.size() != bytes) frame.pixels.resize(bytes);
@@ -112,10 +112,10 @@ class OpencvReader final : public VideoReader {
 
   std::string path_;
   cv::VideoCapture capture_;
-  bool cut_off_;        ///< the container's own size says so
+  bool cut_off_;  ///< the container's own size says so
   cv::Mat bgr_;
   VideoInfo info_;
-  bool held_ = false;   ///< bgr_ is decoded and not yet handed out
+  bool held_ = false;  ///< bgr_ is decoded and not yet handed out
   long frames_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenCV's VideoWriter drops frames of another size or type without a word, writes odd sizes one smaller where chroma is
-// halved, and reports no error while it writes. So everything is checked before, and the file is opened and its frames
-// are counted after.
+// OpenCV's VideoWriter drops frames of another size or type without a word, writes odd sizes one smaller where chroma
+// is halved, and reports no error while it writes. So everything is checked before, and the file is opened and its
+// frames are counted after.
 #include "core/video/module/writer.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ struct Container {
   std::string_view extension;
   std::string_view codec;
   std::array<char, 4> fourcc;
-  std::string_view written_as;   ///< the extension that OpenCV is given
+  std::string_view written_as;  ///< the extension that OpenCV is given
 };
 
 // WebM is Matroska with another document type; OpenCV prints a complaint about the tag when it is asked for .webm.
@@ -59,20 +59,22 @@ const Container* FindContainer(const std::string& path) {
 Result<const Container*> CheckRequest(const std::string& path, const VideoWriteOptions& options) {
   const Container* container = FindContainer(path);
   if (container == nullptr) {
-    return Fail(ErrorKind::kUsage,
-                fmt::format("cannot write '{}': videos are written as .mkv or .avi (FFV1, lossless), .mp4 or .mov (H.264) "
-                            "and .webm (VP9); for others write y4m to - and pipe it into ffmpeg",
-                            path));
+    return Fail(
+        ErrorKind::kUsage,
+        fmt::format("cannot write '{}': videos are written as .mkv or .avi (FFV1, lossless), .mp4 or .mov (H.264) "
+                    "and .webm (VP9); for others write y4m to - and pipe it into ffmpeg",
+                    path));
   }
   if (options.width <= 0 || options.height <= 0 || options.rate.numerator <= 0 || options.rate.denominator <= 0) {
     return CannotWrite(path, fmt::format("a video of {}x{} at {}/{} frames a second", options.width, options.height,
                                          options.rate.numerator, options.rate.denominator));
   }
   if (options.width % 2 != 0 || options.height % 2 != 0) {
-    return Fail(ErrorKind::kUsage,
-                fmt::format("cannot write '{}': OpenCV writes videos of even width and height only, not {}x{}; choose an "
-                            "even --size, write an image sequence (name.####.png), or y4m to - and pipe it into ffmpeg",
-                            path, options.width, options.height));
+    return Fail(
+        ErrorKind::kUsage,
+        fmt::format("cannot write '{}': OpenCV writes videos of even width and height only, not {}x{}; choose an "
+                    "even --size, write an image sequence (name.####.png), or y4m to - and pipe it into ffmpeg",
+                    path, options.width, options.height));
   }
   return container;
 }
@@ -90,10 +92,11 @@ class OpencvWriter final : public VideoWriter {
   Result<void> Write(const image::Image& frame) override {
     if (frame.type != image::SampleType::kU8 || (frame.channels != 3 && frame.channels != 4) ||
         frame.width != options_.width || frame.height != options_.height) {
-      return CannotWrite(path_, fmt::format("frame {} is {}x{} with {} channels of {} bits, the video takes {}x{} 8-bit RGB "
-                                            "or RGBA",
-                                            frames_ + 1, frame.width, frame.height, frame.channels,
-                                            8 * image::SampleBytes(frame.type), options_.width, options_.height));
+      return CannotWrite(
+          path_, fmt::format("frame {} is {}x{} with {} channels of {} bits, the video takes {}x{} 8-bit RGB "
+                             "or RGBA",
+                             frames_ + 1, frame.width, frame.height, frame.channels, 8 * image::SampleBytes(frame.type),
+                             options_.width, options_.height));
     }
     try {
       const int type = frame.channels == 4 ? CV_8UC4 : CV_8UC3;
@@ -166,14 +169,16 @@ Result<std::unique_ptr<VideoWriter>> OpenOpencvWriter(const std::string& path, c
   static_cast<void>(TakeFfmpegError());
   try {
     const auto& tag = (*container)->fourcc;
-    cv::VideoWriter writer(file->temporary_path(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(tag[0], tag[1], tag[2], tag[3]),
-                           options.rate.value(), cv::Size(options.width, options.height), true);
+    cv::VideoWriter writer(file->temporary_path(), cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc(tag[0], tag[1], tag[2], tag[3]), options.rate.value(),
+                           cv::Size(options.width, options.height), true);
     if (!writer.isOpened()) {
       const std::string why = TakeFfmpegError();
-      return CannotWrite(path, fmt::format("no {} encoder takes {}x{} at {:.6g} frames a second{}; write .mkv (FFV1), an "
-                                           "image sequence, or y4m to - and pipe it into ffmpeg",
-                                           (*container)->codec, options.width, options.height, options.rate.value(),
-                                           why.empty() ? "" : fmt::format(" ({})", why)));
+      return CannotWrite(path,
+                         fmt::format("no {} encoder takes {}x{} at {:.6g} frames a second{}; write .mkv (FFV1), an "
+                                     "image sequence, or y4m to - and pipe it into ffmpeg",
+                                     (*container)->codec, options.width, options.height, options.rate.value(),
+                                     why.empty() ? "" : fmt::format(" ({})", why)));
     }
     return std::make_unique<OpencvWriter>(path, std::move(*file), std::move(writer), options, KindOf(**container));
   } catch (const std::exception& e) {

@@ -24,7 +24,8 @@ class AlphaTest : public GbufferTest {
   static void AddWall(TestScene& test, const scene::Material& material, float depth) {
     test.AddNode(test.AddMesh(Square(test.AddMaterial(material))), Translate(0, 0, -depth));
   }
-  std::vector<float> At(const TestScene& test, Attribute attribute, image::Encoding encoding = image::Encoding::kSceneLinear) {
+  std::vector<float> At(const TestScene& test, Attribute attribute,
+                        image::Encoding encoding = image::Encoding::kSceneLinear) {
     return Render(test, Orthographic(), attribute, Float(), 4, 4, encoding).At(1, 1);
   }
 };
@@ -94,16 +95,19 @@ TEST_F(AlphaTest, MaskedSurfacesAreThereOrNot) {
   material.alpha_mode = scene::AlphaMode::kMask;
   material.alpha_cutoff = 0.5f;
   material.base_color_texture.image = 0;
-  material.base_color_texture.sampler = {.mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
+  material.base_color_texture.sampler = {
+      .mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
   TestScene test;
   // The left half is alpha 127, the right one 128.
-  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(2, 1, 4, image::SampleType::kU8,
-                                                          [](std::size_t i) { return i == 3 ? 127 : i == 7 ? 128 : 255; }));
+  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(2, 1, 4, image::SampleType::kU8, [](std::size_t i) {
+    return i == 3 ? 127 : i == 7 ? 128 : 255;
+  }));
   AddWall(test, material, 3);
   const Picture picture = Render(test, Orthographic(), Attribute::kColor, Float(), 4, 4);
   EXPECT_THAT(picture.At(1, 1), ElementsAre(0, 0, 0, 0));
   EXPECT_THAT(picture.At(2, 1), ElementsAre(1, 1, 1, 1));
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kDepth, Float(), 4, 4).At(1, 1)[0], Info(Attribute::kDepth).background[0]);
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kDepth, Float(), 4, 4).At(1, 1)[0],
+              Info(Attribute::kDepth).background[0]);
   // Opaque materials do not look at alpha at all.
   test.scene.materials[0].alpha_mode = scene::AlphaMode::kOpaque;
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Float(), 4, 4).At(1, 1), ElementsAre(1, 1, 1, 1));
@@ -128,7 +132,8 @@ TEST_F(AlphaTest, PointsAndLinesAreOnePixelAndUnlit) {
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) {
       const bool is_drawn = (x == 0 && y == 0) || (x == 2 && y == 1) || y == 3;
-      EXPECT_THAT(color.At(x, y), Near(is_drawn ? std::vector<float>{0.5f, 0.5f, 1, 1} : std::vector<float>{0, 0, 0, 0}))
+      EXPECT_THAT(color.At(x, y),
+                  Near(is_drawn ? std::vector<float>{0.5f, 0.5f, 1, 1} : std::vector<float>{0, 0, 0, 0}))
           << x << " " << y;
     }
   }

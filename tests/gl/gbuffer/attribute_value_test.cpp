@@ -39,14 +39,16 @@ class AttributeValue : public GbufferTest {
 
 TEST_F(AttributeValue, DepthIsLinear) { EXPECT_THAT(WallAt(Attribute::kDepth, 3, 2), Near({5, 5, 5, 1})); }
 
-TEST_F(AttributeValue, ZbufferIsDirect3Ds) { EXPECT_THAT(WallAt(Attribute::kZbuffer, 3, 2), Near({0.5f, 0.5f, 0.5f, 1})); }
+TEST_F(AttributeValue, ZbufferIsDirect3Ds) {
+  EXPECT_THAT(WallAt(Attribute::kZbuffer, 3, 2), Near({0.5f, 0.5f, 0.5f, 1}));
+}
 
 TEST_F(AttributeValue, PerspectiveZbufferIsZOverW) {
   TestScene test;
   test.AddNode(test.AddMesh(Square()), Translate(0, 0, -5) * glm::scale(glm::mat4(1.0f), glm::vec3(10)));
   for (const float zfar : {6.0f, 50.0f, 1e7f}) {
     const double n = 0.5, f = zfar, z = 5.0;
-    const double expected = f * (z - n) / (z * (f - n));   // D3DXMatrixPerspectiveFovRH
+    const double expected = f * (z - n) / (z * (f - n));  // D3DXMatrixPerspectiveFovRH
     EXPECT_THAT(Render(test, Perspective(0.8f, 1.0f, 0.5f, zfar), Attribute::kZbuffer, Float(), 4, 4).At(1, 1)[0],
                 FloatNear(static_cast<float>(expected), 1e-6f))
         << zfar;
@@ -80,7 +82,8 @@ TEST_F(AttributeValue, NormalAndTangentAreUnitWorldVectors) {
 TEST_F(AttributeValue, ViewNormalTurnsWithTheCamera) {
   // The camera looks along -x: what faces +x comes towards it.
   TestScene test;
-  test.AddNode(test.AddMesh(Square()), Translate(-5, 0, 0) * glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), {0, 1, 0}));
+  test.AddNode(test.AddMesh(Square()),
+               Translate(-5, 0, 0) * glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), {0, 1, 0}));
   scene::View view = Orthographic();
   view.view_from_world = glm::lookAtRH(glm::vec3(0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0));
   EXPECT_THAT(Render(test, view, Attribute::kNormal, Float(), 8, 4).At(4, 2), Near({1, 0, 0, 1}));
@@ -90,7 +93,7 @@ TEST_F(AttributeValue, ViewNormalTurnsWithTheCamera) {
 TEST_F(AttributeValue, TangentFollowsTheTextureCoordinatesWhereTheMeshHasNone) {
   TestScene test;
   scene::Primitive square = Square();
-  square.texcoords[0] = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};   // u grows downwards
+  square.texcoords[0] = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};  // u grows downwards
   test.AddNode(test.AddMesh(square), Translate(0, 0, -5));
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kTangent, Float(), 8, 8).At(3, 3), Near({0, -1, 0, 1}, 1e-4f));
 }
@@ -129,22 +132,26 @@ TEST_F(AttributeValue, LightDepthIsMeasuredFromTheKeyLight) {
   TestScene test = Wall();
   scene::Light light;
   light.type = scene::LightType::kPoint;
-  test.AddLight(light, Translate(0.125f, 0.25f, -2));   // before the centre of pixel (4, 1)
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(4, 1)[0], FloatNear(3.0f, kInterpolation));
-  const float dx = 0.25f;   // one pixel to the side: a point light measures the distance, a spot light along its axis
+  test.AddLight(light, Translate(0.125f, 0.25f, -2));  // before the centre of pixel (4, 1)
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(4, 1)[0],
+              FloatNear(3.0f, kInterpolation));
+  const float dx = 0.25f;  // one pixel to the side: a point light measures the distance, a spot light along its axis
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(5, 1)[0],
               FloatNear(std::sqrt(9.0f + dx * dx), kInterpolation));
   test.scene.lights[0].type = scene::LightType::kSpot;
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(5, 1)[0], FloatNear(3.0f, kInterpolation));
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(5, 1)[0],
+              FloatNear(3.0f, kInterpolation));
   test.scene.lights[0].type = scene::LightType::kDirectional;
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(0, 0)[0], FloatNear(3.0f, kInterpolation));
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kLightDepth, Float(), 8, 4).At(0, 0)[0],
+              FloatNear(3.0f, kInterpolation));
 }
 
 TEST_F(AttributeValue, ATiltedPlaneInPerspectiveMatchesItsRays) {
   // The plane through (0, 0, -6) with normal (0.6, 0, 0.8).
   const glm::vec3 normal(0.6f, 0.0f, 0.8f);
   TestScene test;
-  test.AddNode(test.AddMesh(Square()), Translate(0, 0, -6) * glm::rotate(glm::mat4(1.0f), std::atan2(0.6f, 0.8f), {0, 1, 0}) *
+  test.AddNode(test.AddMesh(Square()), Translate(0, 0, -6) *
+                                           glm::rotate(glm::mat4(1.0f), std::atan2(0.6f, 0.8f), {0, 1, 0}) *
                                            glm::scale(glm::mat4(1.0f), glm::vec3(20)));
   constexpr int kWidth = 60, kHeight = 40;
   const float yfov = 0.9f, aspect = 1.5f;
@@ -178,7 +185,7 @@ TEST_F(AttributeValue, ASpheresNormalsMatchItsRays) {
       const glm::vec3 ray = glm::normalize(glm::vec3(sx, sy, -1.0f));
       const float b = glm::dot(ray, center);
       const float discriminant = b * b - glm::dot(center, center) + 1.0f;
-      if (discriminant < 0.05f) continue;   // near the silhouette the facets show
+      if (discriminant < 0.05f) continue;  // near the silhouette the facets show
       const glm::vec3 n = ray * (b - std::sqrt(discriminant)) - center;
       EXPECT_THAT(normals.At(x, y), Near({n.x, n.y, n.z, 1}, 0.01f)) << x << " " << y;
       ++hits;
@@ -229,12 +236,14 @@ TEST_F(AttributeValue, ANormalMapBendsTheNormalInTangentSpace) {
   scene::Material material;
   material.normal_texture.image = 0;
   // (0.6, 0, 0.8) in 8 bits: 204, 127.5, 230.
-  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(1, 1, 3, image::SampleType::kU8,
-                                                          [](std::size_t i) { return std::array{204, 128, 230}[i]; }));
+  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(1, 1, 3, image::SampleType::kU8, [](std::size_t i) {
+    return std::array{204, 128, 230}[i];
+  }));
   scene::Primitive square = Square(test.AddMaterial(material));
-  square.tangents.assign(4, {0, 1, 0, 1});   // up: the bitangent is to the left
+  square.tangents.assign(4, {0, 1, 0, 1});  // up: the bitangent is to the left
   test.AddNode(test.AddMesh(square), Translate(0, 0, -5));
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kNormal, Float(), 8, 4).At(2, 2), Near({0, 0.6f, 0.8f, 1}, 0.01f));
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kNormal, Float(), 8, 4).At(2, 2),
+              Near({0, 0.6f, 0.8f, 1}, 0.01f));
   test.scene.materials[0].normal_scale = 0.0f;
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kNormal, Float(), 8, 4).At(2, 2), Near({0, 0, 1, 1}, 0.01f));
 }

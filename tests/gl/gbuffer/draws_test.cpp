@@ -18,7 +18,8 @@ TEST_F(DrawsTest, EveryItemDrawsWithItsAttributesAndMatrix) {
   scene::Primitive square = Square();
   square.colors.assign(4, {0.25f, 0.5f, 0.75f, 1});
   test.AddNode(test.AddMesh(square), Translate(-0.5f, 0, 0) * glm::scale(glm::mat4(1.0f), glm::vec3(0.5f, 1.0f, 1.0f)));
-  test.AddNode(test.AddMesh(Square()), Translate(0.5f, 0, 0) * glm::scale(glm::mat4(1.0f), glm::vec3(0.5f, 1.0f, 1.0f)));
+  test.AddNode(test.AddMesh(Square()),
+               Translate(0.5f, 0, 0) * glm::scale(glm::mat4(1.0f), glm::vec3(0.5f, 1.0f, 1.0f)));
   const std::unique_ptr<SceneRenderer> renderer = Must(SceneRenderer::Create(test.scene, nullptr));
   const scene::Pose pose = scene::EvaluatePose(test.scene, {}, 0.0);
   const std::vector<scene::DrawItem> items = scene::BuildDrawItems(test.scene, pose, pose);
@@ -35,10 +36,12 @@ layout(location = 8) in vec4 texcoord;
 layout(location = 15) in vec4 texcoord7;
 uniform mat4 world;
 out vec4 value;
-void main() { gl_Position = world * position; value = vec4(color.xy, texcoord.x, texcoord7.x); })", R"(#version 450 core
+void main() { gl_Position = world * position; value = vec4(color.xy, texcoord.x, texcoord7.x); })",
+                                                       R"(#version 450 core
 in vec4 value;
 layout(location = 0) out vec4 result;
-void main() { result = value; })", "test"));
+void main() { result = value; })",
+                                                       "test"));
   const gl::Texture target = Must(gl::Texture::Create(Float(), 4, 2, 1, "target"));
   const gl::Texture* color = &target;
   const gl::Framebuffer framebuffer = Must(gl::Framebuffer::Create(std::span(&color, 1), nullptr, "test"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
 #include <epoxy/gl.h>
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "tests/gl/gbuffer/scene_fixture.h"
 
@@ -37,8 +37,8 @@ class PictureTest : public GbufferTest {
   static gl::Texture Pixel(std::vector<float> rgba) {
     return Upload(gl::MakeImage<float>(1, 1, 4, SampleType::kF32, [&](std::size_t i) { return rgba[i]; }));
   }
-  static gl::Texture Run(const gl::Texture& picture, Encoding from, Attribute attribute, const gl::Format& format, int width,
-                         int height, Encoding to) {
+  static gl::Texture Run(const gl::Texture& picture, Encoding from, Attribute attribute, const gl::Format& format,
+                         int width, int height, Encoding to) {
     gl::Texture target = Must(gl::Texture::Create(format, width, height, 1, "target"));
     const Request request{attribute, &target, to};
     const Result<void> result = renderer_->Render(picture, from, std::span(&request, 1));
@@ -55,8 +55,8 @@ class PictureTest : public GbufferTest {
 
 TEST_F(PictureTest, TheSameSizeAndFormatIsCopiedBitForBit) {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(37, 19), std::pair(640, 1)}) {
-    const image::Image image =
-        gl::MakeImage<std::uint8_t>(width, height, 4, SampleType::kU8, [](std::size_t i) { return i * 2654435761u >> 13; });
+    const image::Image image = gl::MakeImage<std::uint8_t>(width, height, 4, SampleType::kU8,
+                                                           [](std::size_t i) { return i * 2654435761u >> 13; });
     const gl::Texture target =
         Run(Upload(image), Encoding::kDisplay, Attribute::kColor, Unorm(), width, height, Encoding::kDisplay);
     EXPECT_EQ(gl::Read(target, SampleType::kU8, 4, Encoding::kDisplay).pixels, image.pixels);
@@ -64,8 +64,10 @@ TEST_F(PictureTest, TheSameSizeAndFormatIsCopiedBitForBit) {
 }
 
 TEST_F(PictureTest, OtherFormatsOfTheSamePrecisionKeepEveryValueToo) {
-  const image::Image image = gl::MakeImage<std::uint8_t>(16, 16, 3, SampleType::kU8, [](std::size_t i) { return i / 3; });
-  const gl::Texture target = Run(Upload(image), Encoding::kDisplay, Attribute::kVideo, Unorm(4, 16), 16, 16, Encoding::kDisplay);
+  const image::Image image =
+      gl::MakeImage<std::uint8_t>(16, 16, 3, SampleType::kU8, [](std::size_t i) { return i / 3; });
+  const gl::Texture target =
+      Run(Upload(image), Encoding::kDisplay, Attribute::kVideo, Unorm(4, 16), 16, 16, Encoding::kDisplay);
   EXPECT_EQ(gl::Read(target, SampleType::kU8, 3, Encoding::kDisplay).pixels, image.pixels);
 }
 
@@ -99,15 +101,16 @@ TEST_F(PictureTest, IntensityAndAlphaFollow) {
 }
 
 TEST_F(PictureTest, GreyPicturesAreGrey) {
-  const gl::Texture picture = Upload(gl::MakeImage<std::uint8_t>(1, 1, 1, SampleType::kU8, [](std::size_t) { return 51; }));
+  const gl::Texture picture =
+      Upload(gl::MakeImage<std::uint8_t>(1, 1, 1, SampleType::kU8, [](std::size_t) { return 51; }));
   EXPECT_THAT(One(picture, Encoding::kDisplay, Attribute::kColor, Encoding::kDisplay), Near({0.2f, 0.2f, 0.2f, 1}));
 }
 
 TEST_F(PictureTest, OtherAttributesHoldTheirBackground) {
   const gl::Texture picture = Pixel({0.5f, 0.25f, 1, 0.75f});
   for (const AttributeInfo& info : AllAttributes()) {
-    if (info.attribute == Attribute::kColor || info.attribute == Attribute::kVideo || info.attribute == Attribute::kIntensity ||
-        info.attribute == Attribute::kAlpha) {
+    if (info.attribute == Attribute::kColor || info.attribute == Attribute::kVideo ||
+        info.attribute == Attribute::kIntensity || info.attribute == Attribute::kAlpha) {
       continue;
     }
     EXPECT_EQ(One(picture, Encoding::kDisplay, info.attribute, Encoding::kDisplay)[0], info.background[0]) << info.name;
@@ -117,8 +120,9 @@ TEST_F(PictureTest, OtherAttributesHoldTheirBackground) {
 }
 
 TEST_F(PictureTest, SizesAreMatchedBilinearly) {
-  const gl::Texture picture =
-      Upload(gl::MakeImage<float>(2, 1, 4, SampleType::kF32, [](std::size_t i) { return i < 4 ? 1.0f : i == 7 ? 1.0f : 0.0f; }));
+  const gl::Texture picture = Upload(gl::MakeImage<float>(2, 1, 4, SampleType::kF32, [](std::size_t i) {
+    return i < 4 ? 1.0f : i == 7 ? 1.0f : 0.0f;
+  }));
   const Picture wide =
       ReadPicture(Run(picture, Encoding::kSceneLinear, Attribute::kColor, Float(), 4, 1, Encoding::kSceneLinear));
   EXPECT_THAT(wide.At(0, 0)[0], 1.0f);
@@ -130,8 +134,10 @@ TEST_F(PictureTest, SizesAreMatchedBilinearly) {
 TEST_F(PictureTest, HiddenColoursDoNotLeakWhenSizesDiffer) {
   // White beside a fully transparent red.
   constexpr std::array<float, 8> kPixels = {1, 1, 1, 1, 1, 0, 0, 0};
-  const gl::Texture picture = Upload(gl::MakeImage<float>(2, 1, 4, SampleType::kF32, [&](std::size_t i) { return kPixels[i]; }));
-  const Picture one = ReadPicture(Run(picture, Encoding::kDisplay, Attribute::kColor, Float(), 1, 1, Encoding::kDisplay));
+  const gl::Texture picture =
+      Upload(gl::MakeImage<float>(2, 1, 4, SampleType::kF32, [&](std::size_t i) { return kPixels[i]; }));
+  const Picture one =
+      ReadPicture(Run(picture, Encoding::kDisplay, Attribute::kColor, Float(), 1, 1, Encoding::kDisplay));
   EXPECT_THAT(one.At(0, 0), Near({1, 1, 1, 0.5f}));
 }
 
@@ -146,7 +152,8 @@ TEST_F(PictureTest, SeveralRequestsOfSeveralSizesAtOnce) {
   }
   ASSERT_TRUE(renderer_->Render(picture, Encoding::kDisplay, requests).has_value());
   for (int i = 0; i < 24; ++i) {
-    EXPECT_THAT(ReadPicture(targets[static_cast<std::size_t>(i)]).At(0, 0)[0], FloatNear(i % 3 == 0 ? 0.5f : 0.75f, 1e-6f));
+    EXPECT_THAT(ReadPicture(targets[static_cast<std::size_t>(i)]).At(0, 0)[0],
+                FloatNear(i % 3 == 0 ? 0.5f : 0.75f, 1e-6f));
   }
 }
 

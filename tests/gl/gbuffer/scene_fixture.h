@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <functional>
-#include <initializer_list>
-#include <optional>
-
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <initializer_list>
+#include <optional>
 
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gl/readback.h"
@@ -37,7 +36,8 @@ inline scene::Primitive Sphere(int material = scene::kNone, int slices = 96) {
     const float polar = glm::pi<float>() * static_cast<float>(i) / static_cast<float>(stacks);
     for (int j = 0; j <= slices; ++j) {
       const float around = 2.0f * glm::pi<float>() * static_cast<float>(j) / static_cast<float>(slices);
-      sphere.positions.emplace_back(std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around));
+      sphere.positions.emplace_back(std::sin(polar) * std::cos(around), std::cos(polar),
+                                    std::sin(polar) * std::sin(around));
     }
   }
   sphere.normals = sphere.positions;
@@ -109,8 +109,12 @@ inline scene::View Orthographic(float znear = 1.0f, float zfar = 9.0f) {
   return view;
 }
 
-inline gl::Format Float(int components = 4, int bits = 32) { return gl::PlainFormat(gl::Numeric::kFloat, bits, components); }
-inline gl::Format Unorm(int components = 4, int bits = 8) { return gl::PlainFormat(gl::Numeric::kUnorm, bits, components); }
+inline gl::Format Float(int components = 4, int bits = 32) {
+  return gl::PlainFormat(gl::Numeric::kFloat, bits, components);
+}
+inline gl::Format Unorm(int components = 4, int bits = 8) {
+  return gl::PlainFormat(gl::Numeric::kUnorm, bits, components);
+}
 
 class GbufferTest : public gl::ContextTest {
  protected:
@@ -131,8 +135,8 @@ class GbufferTest : public gl::ContextTest {
   }
 
   /// One attribute of the scene at rest; the frame is width x height.
-  Picture Render(const TestScene& test, const scene::View& view, Attribute attribute, const gl::Format& format, int width,
-                 int height, image::Encoding encoding = image::Encoding::kSceneLinear) {
+  Picture Render(const TestScene& test, const scene::View& view, Attribute attribute, const gl::Format& format,
+                 int width, int height, image::Encoding encoding = image::Encoding::kSceneLinear) {
     const gl::Texture target = Must(gl::Texture::Create(format, width, height, 1, "target"));
     const Request request{attribute, &target, encoding};
     RenderInto(test, view, std::span(&request, 1));

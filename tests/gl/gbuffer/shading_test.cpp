@@ -16,13 +16,15 @@ constexpr float kFurnace = 0.005f;
 auto Near(std::vector<float> values, float tolerance = 1e-5f) { return Pointwise(FloatNear(tolerance), values); }
 
 // glTF 2.0, appendix B, in double precision, for one direction of light.
-double MetallicRoughness(double base, double metallic, double roughness, double n_l, double n_v, double n_h, double v_h) {
+double MetallicRoughness(double base, double metallic, double roughness, double n_l, double n_v, double n_h,
+                         double v_h) {
   const double f0 = 0.04 * (1 - metallic) + base * metallic;
   const double fresnel = f0 + (1 - f0) * std::pow(1 - v_h, 5);
   const double a2 = std::pow(roughness, 4);
   const double d = n_h * n_h * (a2 - 1) + 1;
   const double distribution = a2 / (glm::pi<double>() * d * d);
-  const double visibility = 0.5 / (n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2));
+  const double visibility =
+      0.5 / (n_l * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1 - a2) + a2));
   return (1 - fresnel) * base * (1 - metallic) / glm::pi<double>() + fresnel * distribution * visibility;
 }
 
@@ -56,7 +58,8 @@ TEST_F(ShadingTest, AWhiteSurfaceInAWhiteRoomIsWhite) {
       test.AddNode(test.AddMesh(Sphere(test.AddMaterial(Surface(1.0f, metallic, roughness)))), Translate(0, 0, -3));
       const Picture picture = Render(test, Perspective(0.6f, 1.0f), Attribute::kColor, Float(), 24, 24);
       for (const auto& [x, y] : {std::pair(12, 12), std::pair(6, 8), std::pair(18, 15)}) {
-        EXPECT_THAT(picture.At(x, y), Near({1, 1, 1, 1}, kFurnace)) << "metallic " << metallic << " roughness " << roughness;
+        EXPECT_THAT(picture.At(x, y), Near({1, 1, 1, 1}, kFurnace))
+            << "metallic " << metallic << " roughness " << roughness;
       }
     }
   }
@@ -65,9 +68,10 @@ TEST_F(ShadingTest, AWhiteSurfaceInAWhiteRoomIsWhite) {
 TEST_F(ShadingTest, AGreyDiffuseSurfaceReflectsItsShareOfTheRoom) {
   environment_ = UniformEnvironment(2.0f);
   scene::Material material = Surface(0.5f, 0.0f, 1.0f);
-  material.ior = 1.0f;   // no reflection at normal incidence
+  material.ior = 1.0f;  // no reflection at normal incidence
   // What is left of the reflection comes from the fit's bias at grazing angles; none at roughness 1, seen head on.
-  EXPECT_THAT(Render(WallOf(material), Orthographic(), Attribute::kColor, Float(), 4, 4).At(1, 1)[0], FloatNear(1.0f, 0.03f));
+  EXPECT_THAT(Render(WallOf(material), Orthographic(), Attribute::kColor, Float(), 4, 4).At(1, 1)[0],
+              FloatNear(1.0f, 0.03f));
 }
 
 TEST_F(ShadingTest, ADirectionalLightMatchesTheBrdf) {
@@ -78,8 +82,9 @@ TEST_F(ShadingTest, ADirectionalLightMatchesTheBrdf) {
         TestScene test = WallOf(Surface(0.6f, metallic, roughness));
         AddSun(test, 2.0f, angle);
         // The view is along the normal; half way between it and the light lies angle / 2.
-        const double expected = 2.0 * std::cos(angle) * MetallicRoughness(0.6, metallic, roughness, std::cos(angle), 1.0,
-                                                                          std::cos(angle / 2), std::cos(angle / 2));
+        const double expected =
+            2.0 * std::cos(angle) *
+            MetallicRoughness(0.6, metallic, roughness, std::cos(angle), 1.0, std::cos(angle / 2), std::cos(angle / 2));
         EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Float(), 4, 4).At(1, 1)[0],
                     FloatNear(static_cast<float>(expected), 2e-3f * static_cast<float>(expected) + 1e-6f))
             << metallic << " " << roughness << " " << angle;
@@ -96,10 +101,10 @@ TEST_F(ShadingTest, PointLightsFallOffWithTheSquareAndEndAtTheirRange) {
     light.type = scene::LightType::kPoint;
     light.intensity = 4.0f;
     light.range = range;
-    test.AddLight(light, Translate(0.25f, 0.25f, -3));   // 2 before the centre of pixel (2, 1)
+    test.AddLight(light, Translate(0.25f, 0.25f, -3));  // 2 before the centre of pixel (2, 1)
     return Render(test, Orthographic(), Attribute::kColor, Float(), 4, 4).At(2, 1)[0];
   };
-  const auto one = static_cast<float>(MetallicRoughness(0.6, 0, 1, 1, 1, 1, 1));   // 4 cd over 2 m squared: 1 lux
+  const auto one = static_cast<float>(MetallicRoughness(0.6, 0, 1, 1, 1, 1, 1));  // 4 cd over 2 m squared: 1 lux
   EXPECT_THAT(with(std::nullopt), FloatNear(one, 2e-3f));
   EXPECT_THAT(with(4.0f), FloatNear(one * (1.0f - 1.0f / 16.0f), 2e-3f));
   EXPECT_EQ(with(1.9f), 0.0f);
@@ -114,7 +119,7 @@ TEST_F(ShadingTest, SpotLightsEndAtTheirCone) {
   test.AddLight(light, Translate(0.125f, 0.125f, -3));
   const Picture picture = Render(test, Orthographic(), Attribute::kColor, Float(), 8, 8);
   EXPECT_GT(picture.At(4, 3)[0], 0.03f);
-  EXPECT_EQ(picture.At(6, 3)[0], 0.0f);   // 0.5 to the side over 2: an angle of 0.24
+  EXPECT_EQ(picture.At(6, 3)[0], 0.0f);  // 0.5 to the side over 2: an angle of 0.24
 }
 
 TEST_F(ShadingTest, SunlightInLuxIsNotBlownOut) {
@@ -127,7 +132,7 @@ TEST_F(ShadingTest, SunlightInLuxIsNotBlownOut) {
   };
   EXPECT_THAT(with(100'000.0f), FloatNear(1.0f, 0.05f));
   EXPECT_THAT(with(100'000.0f), FloatNear(with(glm::pi<float>()), 1e-4f));
-  EXPECT_THAT(with(1.0f), FloatNear(with(2.0f) / 2, 1e-5f));   // weak lights stay as they are
+  EXPECT_THAT(with(1.0f), FloatNear(with(2.0f) / 2, 1e-5f));  // weak lights stay as they are
 }
 
 TEST_F(ShadingTest, AModelWithoutLightsIsLitFromAboveAndNotBlownOut) {
@@ -147,7 +152,8 @@ TEST_F(ShadingTest, OcclusionDimsTheEnvironmentByItsStrength) {
   scene::Material material = Surface(1.0f, 0.0f, 1.0f);
   material.occlusion_texture.image = 0;
   material.occlusion_strength = 0.5f;
-  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(1, 1, 1, image::SampleType::kU8, [](std::size_t) { return 51; }));
+  test.scene.images.push_back(
+      gl::MakeImage<std::uint8_t>(1, 1, 1, image::SampleType::kU8, [](std::size_t) { return 51; }));
   test.AddNode(test.AddMesh(Square(test.AddMaterial(material))), Translate(0, 0, -5));
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Float(), 4, 4).At(1, 1)[0], FloatNear(0.6f, kFurnace));
 }
@@ -156,14 +162,17 @@ TEST_F(ShadingTest, ABaseColourTextureComesBackInItsOwnNumbers) {
   TestScene test;
   scene::Material material = Unlit({1, 1, 1, 1});
   material.base_color_texture.image = 0;
-  material.base_color_texture.sampler = {.mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
+  material.base_color_texture.sampler = {
+      .mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
   // 8-bit sRGB in, display-encoded 8 bits out: every value must survive.
-  test.scene.images.push_back(gl::MakeImage<std::uint8_t>(16, 16, 3, image::SampleType::kU8, [](std::size_t i) { return i / 3; }));
+  test.scene.images.push_back(
+      gl::MakeImage<std::uint8_t>(16, 16, 3, image::SampleType::kU8, [](std::size_t i) { return i / 3; }));
   test.AddNode(test.AddMesh(Square(test.AddMaterial(material))), Translate(0, 0, -5));
   const Picture picture = Render(test, Orthographic(), Attribute::kColor, Unorm(), 16, 16, image::Encoding::kDisplay);
   for (int i = 0; i < 256; ++i) EXPECT_EQ(std::lround(picture.At(i % 16, i / 16)[0] * 255), i);
   // 16 bits of the same.
-  test.scene.images[0] = gl::MakeImage<std::uint16_t>(16, 16, 1, image::SampleType::kU16, [](std::size_t i) { return i * 257; });
+  test.scene.images[0] =
+      gl::MakeImage<std::uint16_t>(16, 16, 1, image::SampleType::kU16, [](std::size_t i) { return i * 257; });
   const Picture wide = Render(test, Orthographic(), Attribute::kColor, Unorm(), 16, 16, image::Encoding::kDisplay);
   for (int i = 0; i < 256; ++i) EXPECT_EQ(std::lround(wide.At(i % 16, i / 16)[1] * 255), i);
 }
@@ -173,7 +182,8 @@ TEST_F(ShadingTest, TextureTransformsAndTheSecondSetApply) {
   scene::Material material = Unlit({1, 1, 1, 1});
   material.base_color_texture.image = 0;
   material.base_color_texture.texcoord = 1;
-  material.base_color_texture.sampler = {.mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
+  material.base_color_texture.sampler = {
+      .mag = scene::Filter::kNearest, .min = scene::Filter::kNearest, .mipmaps = false};
   // uv' = (v, u + 1): transposed, and repeated.
   material.base_color_texture.uv_transform = glm::mat3(0, 1, 0, 1, 0, 0, 0, 1, 1);
   image::Image map = gl::MakeImage<float>(4, 4, 1, image::SampleType::kF32, [](std::size_t i) { return i; });

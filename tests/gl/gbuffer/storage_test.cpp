@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each attribute in each kind of target: encodings, ids, backgrounds, grouping.
-#include <cstring>
-
 #include <epoxy/gl.h>
 #include <gmock/gmock.h>
+
+#include <cstring>
 
 #include "tests/gl/gbuffer/scene_fixture.h"
 
@@ -45,7 +45,8 @@ class StorageTest : public GbufferTest {
 };
 
 TEST_F(StorageTest, SignedAttributesAreHalvedInUnsignedFormats) {
-  EXPECT_THAT(Render(Wall(), Orthographic(), Attribute::kNormal, Unorm(), 4, 4).At(1, 1), Near({0.5f, 0.5f, 1, 1}, kHalfStep8));
+  EXPECT_THAT(Render(Wall(), Orthographic(), Attribute::kNormal, Unorm(), 4, 4).At(1, 1),
+              Near({0.5f, 0.5f, 1, 1}, kHalfStep8));
   EXPECT_THAT(Render(Wall(), Orthographic(), Attribute::kNormal, Float(4, 16), 4, 4).At(1, 1), ElementsAre(0, 0, 1, 1));
 }
 
@@ -57,7 +58,8 @@ TEST_F(StorageTest, HalvesStayFinite) {
   TestScene test;
   scene::Material material = Unlit({1e6f, 1, 1, 1});
   test.AddNode(test.AddMesh(Square(test.AddMaterial(material))), Translate(0, 0, -5));
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Float(4, 16), 4, 4).At(1, 1), ElementsAre(65504, 1, 1, 1));
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Float(4, 16), 4, 4).At(1, 1),
+              ElementsAre(65504, 1, 1, 1));
   EXPECT_THAT(Render(TestScene(), Orthographic(), Attribute::kDepth, Float(1, 16), 4, 4).At(1, 1)[0], 65504);
 }
 
@@ -65,16 +67,19 @@ TEST_F(StorageTest, DisplayTargetsHoldSrgb) {
   const TestScene test = Wall(Unlit({0.5f, 0.0f, 1.0f, 1.0f}));
   const std::vector<float> stored =
       Render(test, Orthographic(), Attribute::kColor, Unorm(), 4, 4, image::Encoding::kDisplay).At(1, 1);
-  EXPECT_THAT(stored, Near({188.0f / 255, 0, 1, 1}, 1e-6f));   // sRGB of 0.5 is 187.5 of 255
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kAlbedo, Unorm(), 4, 4, image::Encoding::kDisplay).At(1, 1), stored);
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Unorm(), 4, 4).At(1, 1), Near({128.0f / 255, 0, 1, 1}, 1e-6f));
+  EXPECT_THAT(stored, Near({188.0f / 255, 0, 1, 1}, 1e-6f));  // sRGB of 0.5 is 187.5 of 255
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kAlbedo, Unorm(), 4, 4, image::Encoding::kDisplay).At(1, 1),
+              stored);
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kColor, Unorm(), 4, 4).At(1, 1),
+              Near({128.0f / 255, 0, 1, 1}, 1e-6f));
 }
 
 TEST_F(StorageTest, IntensityIsTheLumaOfWhatIsStored) {
   const TestScene test = Wall(Unlit({0.5f, 0.25f, 1.0f, 1.0f}));
   const float linear = 0.2126f * 0.5f + 0.7152f * 0.25f + 0.0722f;
-  const float display = 0.2126f * 0.735357f + 0.7152f * 0.537099f + 0.0722f;   // sRGB of 0.5 and 0.25
-  EXPECT_THAT(Render(test, Orthographic(), Attribute::kIntensity, Float(), 4, 4).At(1, 1), Near({linear, linear, linear, 1}, 1e-5f));
+  const float display = 0.2126f * 0.735357f + 0.7152f * 0.537099f + 0.0722f;  // sRGB of 0.5 and 0.25
+  EXPECT_THAT(Render(test, Orthographic(), Attribute::kIntensity, Float(), 4, 4).At(1, 1),
+              Near({linear, linear, linear, 1}, 1e-5f));
   EXPECT_THAT(Render(test, Orthographic(), Attribute::kIntensity, Float(), 4, 4, image::Encoding::kDisplay).At(1, 1)[0],
               FloatNear(display, 1e-5f));
 }
@@ -109,16 +114,24 @@ TEST_F(StorageTest, IdsAreExactInEveryFormat) {
   };
   const auto same = [](int id) { return id; };
   const auto digit = [](float value, float most) { return static_cast<int>(std::lround(value * most)); };
-  check(Float(1, 32), [](const std::vector<float>& p) { return static_cast<int>(p[0]); }, same);
-  check(Float(4, 16), [](const std::vector<float>& p) { return static_cast<int>(p[0]); }, same);
-  check(Unorm(1, 16), [&](const std::vector<float>& p) { return digit(p[0], 65535); }, same);
-  check(Unorm(4, 8), [&](const std::vector<float>& p) { return digit(p[0], 255) + 256 * digit(p[1], 255); }, same);
-  check(Unorm(2, 8), [&](const std::vector<float>& p) { return digit(p[0], 255) + 256 * digit(p[1], 255); }, same);
+  check(
+      Float(1, 32), [](const std::vector<float>& p) { return static_cast<int>(p[0]); }, same);
+  check(
+      Float(4, 16), [](const std::vector<float>& p) { return static_cast<int>(p[0]); }, same);
+  check(
+      Unorm(1, 16), [&](const std::vector<float>& p) { return digit(p[0], 65535); }, same);
+  check(
+      Unorm(4, 8), [&](const std::vector<float>& p) { return digit(p[0], 255) + 256 * digit(p[1], 255); }, same);
+  check(
+      Unorm(2, 8), [&](const std::vector<float>& p) { return digit(p[0], 255) + 256 * digit(p[1], 255); }, same);
   // One component of 8 bits holds 255 ids and starts again at 1.
-  check(Unorm(1, 8), [&](const std::vector<float>& p) { return digit(p[0], 255); }, [](int id) { return (id - 1) % 255 + 1; });
+  check(
+      Unorm(1, 8), [&](const std::vector<float>& p) { return digit(p[0], 255); },
+      [](int id) { return (id - 1) % 255 + 1; });
   gl::Format rgb565 = Unorm(3, 6);
   rgb565.internal = GL_RGB565;
-  check(rgb565, [&](const std::vector<float>& p) { return digit(p[0], 31) + 32 * digit(p[1], 63); }, same);
+  check(
+      rgb565, [&](const std::vector<float>& p) { return digit(p[0], 31) + 32 * digit(p[1], 63); }, same);
 }
 
 TEST_F(StorageTest, EveryBackgroundIsTheTablesInEveryFormat) {
@@ -138,9 +151,10 @@ TEST_F(StorageTest, EveryBackgroundIsTheTablesInEveryFormat) {
 }
 
 TEST_F(StorageTest, TheFramesBackgroundIsColoursOnly) {
-  background_ = {0.25f, 0.125f, 0.0f, 0.5f};   // associated: (0.5, 0.25, 0) half covering
+  background_ = {0.25f, 0.125f, 0.0f, 0.5f};  // associated: (0.5, 0.25, 0) half covering
   const TestScene empty;
-  EXPECT_THAT(Render(empty, Orthographic(), Attribute::kColor, Float(), 4, 4).At(0, 0), ElementsAre(0.25f, 0.125f, 0, 0.5f));
+  EXPECT_THAT(Render(empty, Orthographic(), Attribute::kColor, Float(), 4, 4).At(0, 0),
+              ElementsAre(0.25f, 0.125f, 0, 0.5f));
   EXPECT_THAT(Render(empty, Orthographic(), Attribute::kColor, Float(), 4, 4, image::Encoding::kDisplay).At(0, 0),
               Near({0.735357f, 0.537099f, 0, 0.5f}, 1e-5f));
   EXPECT_THAT(Render(empty, Orthographic(), Attribute::kAlpha, Float(), 4, 4).At(0, 0)[0], 0.5f);
@@ -165,7 +179,8 @@ TEST_F(StorageTest, ManyAttributesAtOnceHaveTheBitsOfEachAlone) {
     for (const gl::Format& format : {Unorm(), Float()}) {
       targets.push_back(Must(gl::Texture::Create(format, 33, 31, 1, "target")));
       const bool is_display = format.numeric == gl::Numeric::kUnorm;
-      requests.push_back({info.attribute, &targets.back(), is_display ? image::Encoding::kDisplay : image::Encoding::kSceneLinear});
+      requests.push_back(
+          {info.attribute, &targets.back(), is_display ? image::Encoding::kDisplay : image::Encoding::kSceneLinear});
     }
   }
   RenderInto(test, view, requests);

@@ -20,7 +20,8 @@ class Velocity : public GbufferTest {
 
 TEST_F(Velocity, WhatStandsStillHasNoneExactly) {
   TestScene test;
-  test.AddNode(test.AddMesh(Sphere()), Translate(0.3f, 0.1f, -4) * glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0.6f, 0.8f, 0)));
+  test.AddNode(test.AddMesh(Sphere()),
+               Translate(0.3f, 0.1f, -4) * glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(0.6f, 0.8f, 0)));
   const Picture picture = Render(test, Perspective(0.8f, 1.0f), Attribute::kVelocity, Float(), 32, 32);
   for (int i = 0; i < 32 * 32; ++i) {
     EXPECT_EQ(picture.At(i % 32, i / 32)[0], 0.0f);
@@ -30,7 +31,7 @@ TEST_F(Velocity, WhatStandsStillHasNoneExactly) {
 
 TEST_F(Velocity, IsInPixelsWithYDown) {
   change_items_ = [](std::vector<scene::DrawItem>& items) {
-    items[0].previous_world_from_object = Translate(-0.25f, -0.5f, -5);   // it moved right and up
+    items[0].previous_world_from_object = Translate(-0.25f, -0.5f, -5);  // it moved right and up
   };
   // 16 x 8 pixels over a width and height of 2.
   const std::vector<float> v = Render(Wall(), Orthographic(), Attribute::kVelocity, Float(), 16, 8).At(8, 4);
@@ -38,9 +39,12 @@ TEST_F(Velocity, IsInPixelsWithYDown) {
 }
 
 TEST_F(Velocity, FollowsThePerspective) {
-  change_items_ = [](std::vector<scene::DrawItem>& items) { items[0].previous_world_from_object = Translate(0, 0, -6); };
-  const float yfov = 0.5f;   // the wall covers the frame: 1 > 5 tan(0.25)... only its middle is read
-  const std::vector<float> v = Render(Wall(), Perspective(yfov, 1.0f), Attribute::kVelocity, Float(), 40, 40).At(25, 12);
+  change_items_ = [](std::vector<scene::DrawItem>& items) {
+    items[0].previous_world_from_object = Translate(0, 0, -6);
+  };
+  const float yfov = 0.5f;  // the wall covers the frame: 1 > 5 tan(0.25)... only its middle is read
+  const std::vector<float> v =
+      Render(Wall(), Perspective(yfov, 1.0f), Attribute::kVelocity, Float(), 40, 40).At(25, 12);
   // The centre of pixel (25, 12) sees the point p; p was 1 farther away.
   const float tangent = std::tan(yfov / 2);
   const float px = (2.0f * 25.5f / 40 - 1.0f) * tangent * 5, py = (1.0f - 2.0f * 12.5f / 40) * tangent * 5;
@@ -51,8 +55,9 @@ TEST_F(Velocity, FollowsThePerspective) {
 
 TEST_F(Velocity, ContainsTheCamerasMotion) {
   previous_view_ = Orthographic();
-  previous_view_->view_from_world = Translate(0.5f, 0, 0);   // the camera moved to the right: things go left
-  EXPECT_THAT(Render(Wall(), Orthographic(), Attribute::kVelocity, Float(), 16, 8).At(4, 4)[0], FloatNear(-4.0f, 1e-4f));
+  previous_view_->view_from_world = Translate(0.5f, 0, 0);  // the camera moved to the right: things go left
+  EXPECT_THAT(Render(Wall(), Orthographic(), Attribute::kVelocity, Float(), 16, 8).At(4, 4)[0],
+              FloatNear(-4.0f, 1e-4f));
 }
 
 TEST_F(Velocity, ContainsDeformation) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/gl/context.h"
 #include "core/gl/texture.h"

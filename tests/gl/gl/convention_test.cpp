@@ -35,9 +35,12 @@ layout(location = 8) in vec4 texcoord;
 layout(location = 15) in vec4 texcoord7;
 out vec4 uv;
 out vec4 uv7;
-void main() { gl_Position = vec4(position.xy, )") + z + R"(, 1.0); uv = texcoord; uv7 = texcoord7; })";
-    const std::string text = std::string("#version 450 core\nin vec4 uv;\nin vec4 uv7;\nlayout(location = 0) out vec4 result;\n"
-                                         "void main() { result = ") + fragment + "; }";
+void main() { gl_Position = vec4(position.xy, )") +
+                               z + R"(, 1.0); uv = texcoord; uv7 = texcoord7; })";
+    const std::string text = std::string(
+                                 "#version 450 core\nin vec4 uv;\nin vec4 uv7;\nlayout(location = 0) out vec4 result;\n"
+                                 "void main() { result = ") +
+                             fragment + "; }";
     const Program program = Must(Program::Create(vertex, text, "test"));
     glUseProgram(program.id());
     quad_.Draw();
@@ -61,7 +64,8 @@ TEST_F(ConventionTest, TheFirstRowIsTheTopAndTexcoordsStartThere) {
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) {
       const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
-      EXPECT_THAT(Pixel(x, y), testing::ElementsAre(testing::FloatNear(cx / 5, 1e-6f), testing::FloatNear(cy / 3, 1e-6f), cx, cy));
+      EXPECT_THAT(Pixel(x, y),
+                  testing::ElementsAre(testing::FloatNear(cx / 5, 1e-6f), testing::FloatNear(cy / 3, 1e-6f), cx, cy));
     }
   }
 }
@@ -75,9 +79,9 @@ TEST_F(ConventionTest, ClipZIsWindowDepth) {
   glEnable(GL_DEPTH_TEST);
   Draw("vec4(gl_FragCoord.z)", "0.25");
   EXPECT_THAT(Pixel(2, 1), testing::Each(0.25f));
-  Draw("vec4(2.0)", "-0.01");   // before the near plane: clipped
+  Draw("vec4(2.0)", "-0.01");  // before the near plane: clipped
   EXPECT_THAT(Pixel(2, 1), testing::Each(0.25f));
-  Draw("vec4(3.0)", "0.3");     // behind
+  Draw("vec4(3.0)", "0.3");  // behind
   EXPECT_THAT(Pixel(2, 1), testing::Each(0.25f));
   Draw("vec4(4.0)", "0.0");
   EXPECT_THAT(Pixel(2, 1), testing::Each(4.0f));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gl/context.h"
+#include <epoxy/gl.h>
+#include <gmock/gmock.h>
 
 #include <cstdlib>
 
-#include <epoxy/gl.h>
-#include <gmock/gmock.h>
+#include "core/gl/context.h"
 
 namespace burin::gl {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What goes into a texture of each format comes back, and is read as Direct3D 9 reads it.
-#include <array>
-#include <cmath>
-
 #include <epoxy/gl.h>
 #include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
 
 #include "core/gl/framebuffer.h"
 #include "core/gl/fullscreen_quad.h"
@@ -29,7 +29,8 @@ std::array<float, 4> Sampled(const Texture& texture) {
   const Program program = Must(Program::Create(kVertex, R"(#version 450 core
 layout(binding = 0) uniform sampler2D source;
 layout(location = 0) out vec4 result;
-void main() { result = texelFetch(source, ivec2(0), 0); })", "test"));
+void main() { result = texelFetch(source, ivec2(0), 0); })",
+                                               "test"));
   const Texture target = Must(Texture::Create(PlainFormat(Numeric::kFloat, 32, 4), 1, 1, 1, "test"));
   const Texture* color = &target;
   const Framebuffer framebuffer = Must(Framebuffer::Create(std::span(&color, 1), nullptr, "test"));
@@ -58,8 +59,10 @@ TEST_F(FormatTest, EveryPlainFormatComesBackBitForBit) {
     round_trip(MakeImage<std::uint8_t>(5, 3, channels, SampleType::kU8, [](std::size_t i) { return i * 37 + 11; }));
     round_trip(MakeImage<std::uint16_t>(5, 3, channels, SampleType::kU16, [](std::size_t i) { return i * 1237 + 11; }));
     // Finite halves only: 0x3C00 is 1.0.
-    round_trip(MakeImage<std::uint16_t>(5, 3, channels, SampleType::kF16, [](std::size_t i) { return 0x3C00 + i * 17; }));
-    round_trip(MakeImage<float>(5, 3, channels, SampleType::kF32, [](std::size_t i) { return std::exp(double(i)) - 40; }));
+    round_trip(
+        MakeImage<std::uint16_t>(5, 3, channels, SampleType::kF16, [](std::size_t i) { return 0x3C00 + i * 17; }));
+    round_trip(
+        MakeImage<float>(5, 3, channels, SampleType::kF32, [](std::size_t i) { return std::exp(double(i)) - 40; }));
   }
 }
 
@@ -80,7 +83,8 @@ TEST_F(FormatTest, MissingComponentsReadAsDirect3DReadsThem) {
       {"X in four", GL_RGBA32F, {GL_RED, GL_GREEN, GL_BLUE, GL_ONE}, {0.25f, 0.5f, 0.75f, 1}},
   };
   for (const Case& test : cases) {
-    const Format format{.internal = test.internal, .swizzle = test.swizzle, .numeric = Numeric::kFloat, .bits = 32, .components = 4};
+    const Format format{
+        .internal = test.internal, .swizzle = test.swizzle, .numeric = Numeric::kFloat, .bits = 32, .components = 4};
     Texture texture = Must(Texture::Create(format, 1, 1, 1, test.name));
     constexpr std::array kStored = {0.25f, 0.5f, 0.75f, 0.125f};
     texture.Upload(MakeImage<float>(1, 1, 4, SampleType::kF32, [&](std::size_t i) { return kStored[i]; }));
@@ -90,7 +94,8 @@ TEST_F(FormatTest, MissingComponentsReadAsDirect3DReadsThem) {
 
 TEST_F(FormatTest, GreyImagesReadAsGrey) {
   const image::Image grey = MakeImage<std::uint8_t>(1, 1, 1, SampleType::kU8, [](std::size_t) { return 51; });
-  const image::Image grey_alpha = MakeImage<std::uint8_t>(1, 1, 2, SampleType::kU8, [](std::size_t i) { return 51 + 51 * i; });
+  const image::Image grey_alpha =
+      MakeImage<std::uint8_t>(1, 1, 2, SampleType::kU8, [](std::size_t i) { return 51 + 51 * i; });
   for (const Format& format : {FormatFor(grey), PlainFormat(Numeric::kUnorm, 8, 4)}) {
     Texture texture = Must(Texture::Create(format, 1, 1, 1, "grey"));
     texture.Upload(grey);

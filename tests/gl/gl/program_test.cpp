@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/program.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include <epoxy/gl.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "core/gl/framebuffer.h"
 #include "core/gl/fullscreen_quad.h"
@@ -109,7 +109,8 @@ TEST_F(ProgramTest, BurinNoCacheTurnsItOff) {
 }
 
 TEST_F(ProgramTest, CompileErrorsShowTheLine) {
-  const Result<Program> program = Program::Create(kVertex, "#version 450 core\nvoid main() {\n  nonsense = 1;\n}\n", "pass 'P0'");
+  const Result<Program> program =
+      Program::Create(kVertex, "#version 450 core\nvoid main() {\n  nonsense = 1;\n}\n", "pass 'P0'");
   ASSERT_FALSE(program.has_value());
   EXPECT_EQ(program.error().kind, ErrorKind::kFailed);
   EXPECT_THAT(program.error().message, testing::StartsWith("pass 'P0': the driver refuses the fragment shader:\n"));
@@ -118,7 +119,9 @@ TEST_F(ProgramTest, CompileErrorsShowTheLine) {
 
 TEST_F(ProgramTest, LinkErrorsCarryTheLog) {
   const Result<Program> program = Program::Create(
-      kVertex, "#version 450 core\nin vec3 missing;\nlayout(location = 0) out vec4 r;\nvoid main() { r = vec4(missing, 1); }", "P");
+      kVertex,
+      "#version 450 core\nin vec3 missing;\nlayout(location = 0) out vec4 r;\nvoid main() { r = vec4(missing, 1); }",
+      "P");
   ASSERT_FALSE(program.has_value());
   EXPECT_THAT(program.error().message, HasSubstr("P: the driver cannot link the program:\n"));
 }

@@ -21,7 +21,7 @@ TEST_F(ReadbackTest, FinishesInTheOrderOfStart) {
   ReadbackRing ring(3);
   EXPECT_TRUE(ring.empty());
   for (int value = 0; value < 3; ++value) {
-    texture.Upload(Grey(value));   // the texture is overwritten while copies are under way
+    texture.Upload(Grey(value));  // the texture is overwritten while copies are under way
     ring.Start(texture, SampleType::kU8, 4, image::Encoding::kDisplay);
   }
   EXPECT_TRUE(ring.full());
@@ -44,7 +44,8 @@ TEST_F(ReadbackTest, SizesAndTypesMayChange) {
     ring.Start(texture, SampleType::kU16, 3, image::Encoding::kData);
     const image::Image floats = ring.Finish();
     EXPECT_EQ(floats.width, size);
-    EXPECT_THAT(floats.As<float>(), testing::AllOf(testing::SizeIs(size * size), testing::Each(testing::FloatNear(0.2f, 1e-6f))));
+    EXPECT_THAT(floats.As<float>(),
+                testing::AllOf(testing::SizeIs(size * size), testing::Each(testing::FloatNear(0.2f, 1e-6f))));
     const image::Image shorts = ring.Finish();
     EXPECT_THAT(shorts.As<std::uint16_t>(), testing::AllOf(testing::SizeIs(size * size * 3), testing::Each(13107)));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a text looks like, the parser ends, reports, and stays within its limits. Texts are effects with random damage;
-// the seed of each is printed when something fails.
+// Whatever a text looks like, the parser ends, reports, and stays within its limits. Texts are effects with random
+// damage; the seed of each is printed when something fails.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace burin::fx {
 namespace {
 
-constexpr int kRounds = 2500;   // of each kind of damage, over all texts
+constexpr int kRounds = 2500;  // of each kind of damage, over all texts
 
 const std::vector<std::string>& Texts() {
   static const std::vector<std::string> texts{
@@ -107,9 +107,15 @@ class Damage {
     for (std::size_t i = 1 + Below(8); i > 0; --i) {
       const std::size_t at = Below(text.size());
       switch (Below(3)) {
-        case 0: text[at] = static_cast<char>(Below(256)); break;
-        case 1: text.erase(at, 1 + Below(4)); break;
-        default: text.insert(at, 1, static_cast<char>(Below(256))); break;
+        case 0:
+          text[at] = static_cast<char>(Below(256));
+          break;
+        case 1:
+          text.erase(at, 1 + Below(4));
+          break;
+        default:
+          text.insert(at, 1, static_cast<char>(Below(256)));
+          break;
       }
       if (text.empty()) text = "x";
     }
@@ -128,10 +134,18 @@ class Damage {
       const std::size_t at = Below(tokens.size());
       const std::size_t other = Below(tokens.size());
       switch (Below(4)) {
-        case 0: tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(at)); break;
-        case 1: tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), std::string(tokens[other])); break;
-        case 2: std::swap(tokens[at], tokens[other]); break;
-        default: tokens[at] = tokens[other]; break;
+        case 0:
+          tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(at));
+          break;
+        case 1:
+          tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), std::string(tokens[other]));
+          break;
+        case 2:
+          std::swap(tokens[at], tokens[other]);
+          break;
+        default:
+          tokens[at] = tokens[other];
+          break;
       }
     }
     std::string damaged;
@@ -146,10 +160,50 @@ class Damage {
 
   // No effect at all, only its words.
   std::string Soup() {
-    constexpr const char* kWords[] = {
-        "float4", "x", "(", ")", "{", "}", "[", "]", "<", ">", ";", ",", ":", "=", "technique", "pass", "struct", "if", "else",
-        "for", "compile", "sampler", "sampler_state", "asm", "return", "1", "0.5", "\"s\"", ".", "?", "+", "-", "\n#define M(a) a a\n",
-        "M", "\n#if 1\n", "\n#endif\n", "\n#else\n", "::", "namespace", "typedef", "switch", "case", "\n#include \"inner.fxh\"\n", "##"};
+    constexpr const char* kWords[] = {"float4",
+                                      "x",
+                                      "(",
+                                      ")",
+                                      "{",
+                                      "}",
+                                      "[",
+                                      "]",
+                                      "<",
+                                      ">",
+                                      ";",
+                                      ",",
+                                      ":",
+                                      "=",
+                                      "technique",
+                                      "pass",
+                                      "struct",
+                                      "if",
+                                      "else",
+                                      "for",
+                                      "compile",
+                                      "sampler",
+                                      "sampler_state",
+                                      "asm",
+                                      "return",
+                                      "1",
+                                      "0.5",
+                                      "\"s\"",
+                                      ".",
+                                      "?",
+                                      "+",
+                                      "-",
+                                      "\n#define M(a) a a\n",
+                                      "M",
+                                      "\n#if 1\n",
+                                      "\n#endif\n",
+                                      "\n#else\n",
+                                      "::",
+                                      "namespace",
+                                      "typedef",
+                                      "switch",
+                                      "case",
+                                      "\n#include \"inner.fxh\"\n",
+                                      "##"};
     std::string text;
     for (std::size_t i = Below(200); i > 0; --i) text += std::string(kWords[Below(std::size(kWords))]) + " ";
     return text;
@@ -181,13 +235,21 @@ TEST(ParserMutation, TheTextsAreFineUndamaged) {
   }
 }
 
-TEST(ParserMutation, SurvivesChangedBytes) { CheckMany(10000, [](Damage& damage) { return damage.Bytes(); }); }
+TEST(ParserMutation, SurvivesChangedBytes) {
+  CheckMany(10000, [](Damage& damage) { return damage.Bytes(); });
+}
 
-TEST(ParserMutation, SurvivesChangedTokens) { CheckMany(20000, [](Damage& damage) { return damage.Tokens(); }); }
+TEST(ParserMutation, SurvivesChangedTokens) {
+  CheckMany(20000, [](Damage& damage) { return damage.Tokens(); });
+}
 
-TEST(ParserMutation, SurvivesTruncation) { CheckMany(30000, [](Damage& damage) { return damage.Truncated(); }); }
+TEST(ParserMutation, SurvivesTruncation) {
+  CheckMany(30000, [](Damage& damage) { return damage.Truncated(); });
+}
 
-TEST(ParserMutation, SurvivesWordSoup) { CheckMany(40000, [](Damage& damage) { return damage.Soup(); }); }
+TEST(ParserMutation, SurvivesWordSoup) {
+  CheckMany(40000, [](Damage& damage) { return damage.Soup(); });
+}
 
 }  // namespace
 }  // namespace burin::fx

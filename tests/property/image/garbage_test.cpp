@@ -53,7 +53,8 @@ TEST(DamagedImages, ReadOrFailCleanly) {
       const auto result = (*module)->ReadMemory(bytes, name);
       if (result) {
         ++read;
-        ASSERT_EQ(result->pixels.size(), result->RowBytes() * static_cast<std::size_t>(result->height)) << "seed " << kSeed;
+        ASSERT_EQ(result->pixels.size(), result->RowBytes() * static_cast<std::size_t>(result->height))
+            << "seed " << kSeed;
       } else {
         ++refused;
         ASSERT_EQ(result.error().kind, ErrorKind::kInput) << "seed " << kSeed;

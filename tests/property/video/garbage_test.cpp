@@ -35,7 +35,8 @@ void ReadThrough(const std::string& content) {
 
 TEST(Y4mGarbage, RandomHeadersNeverFault) {
   std::mt19937 random(kSeed);
-  constexpr std::array<const char*, 14> kTokens{"W", "H", "F", "I", "A", "C", "X", "C420", "C444alpha", "C410", "Cmono", "It", " ", "W9"};
+  constexpr std::array<const char*, 14> kTokens{"W",    "H",         "F",    "I",     "A",  "C", "X",
+                                                "C420", "C444alpha", "C410", "Cmono", "It", " ", "W9"};
   for (int i = 0; i < 3000; ++i) {
     std::string content = "YUV4MPEG2";
     for (unsigned t = 0; t < random() % 8; ++t) {
@@ -56,7 +57,8 @@ TEST(Y4mGarbage, DamagedStreamsNeverFault) {
   for (int i = 0; i < 4; ++i) whole += "FRAME\n" + std::string(9 * 7 + 2 * 5 * 4, static_cast<char>('a' + i));
   for (int i = 0; i < 3000; ++i) {
     std::string content = whole;
-    for (unsigned hit = 0; hit < 1 + random() % 5; ++hit) content[random() % content.size()] = static_cast<char>(random());
+    for (unsigned hit = 0; hit < 1 + random() % 5; ++hit)
+      content[random() % content.size()] = static_cast<char>(random());
     if (random() % 3 == 0) content.resize(random() % content.size());
     ReadThrough(content);
   }
@@ -90,7 +92,8 @@ TEST(MatroskaGarbage, NeverFaultsAndEnds) {
   }
   for (int i = 0; i < 3000; ++i) {
     std::string content = whole;
-    for (unsigned hit = 0; hit < 1 + random() % 4; ++hit) content[random() % content.size()] = static_cast<char>(random());
+    for (unsigned hit = 0; hit < 1 + random() % 4; ++hit)
+      content[random() % content.size()] = static_cast<char>(random());
     if (random() % 4 == 0) content.resize(random() % content.size());
     const test::StreamFile file(content);
     static_cast<void>(MatroskaIsCutOff(file.descriptor()));
@@ -124,7 +127,7 @@ TEST(Ycbcr, FixedPointIsTheRoundedFormula) {
   std::vector<std::uint8_t> rgba(layout.luma_bytes() * 4), planes(layout.frame_bytes());
   for (std::uint8_t& v : rgba) v = static_cast<std::uint8_t>(random());
   YcbcrFromRgba(layout, rgba, planes);
-  constexpr double kRounding = 0.51;   // half, and a little for coefficients of 16 bits
+  constexpr double kRounding = 0.51;  // half, and a little for coefficients of 16 bits
   for (std::size_t i = 0; i < 997; ++i) {
     const double r = rgba[4 * i] / 255.0, g = rgba[4 * i + 1] / 255.0, b = rgba[4 * i + 2] / 255.0;
     const double y = 0.299 * r + 0.587 * g + 0.114 * b;

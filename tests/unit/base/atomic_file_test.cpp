@@ -131,7 +131,8 @@ TEST(AtomicFile, RefusesAnUnwritableFolder) {
       {
         if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
         const auto file = AtomicFile::Create(folder.File("a.png"));
-        _exit(!file && file.error().message == "cannot write '" + folder.File("a.png") + "': Permission denied" ? 0 : 1);
+        _exit(!file && file.error().message == "cannot write '" + folder.File("a.png") + "': Permission denied" ? 0
+                                                                                                                : 1);
       },
       testing::ExitedWithCode(0), "");
 }

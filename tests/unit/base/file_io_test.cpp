@@ -53,7 +53,7 @@ TEST(FileIo, ClosedPipeIsAnErrorNotASignal) {
   Pipe pipe;
   pipe.CloseRead();
   const std::array<std::byte, 4> bytes{};
-  EXPECT_EQ(WriteAll(pipe.ends[1], bytes), EPIPE);   // with SIGPIPE's default action this would end the test
+  EXPECT_EQ(WriteAll(pipe.ends[1], bytes), EPIPE);  // with SIGPIPE's default action this would end the test
   sigset_t pending;
   sigpending(&pending);
   EXPECT_EQ(sigismember(&pending, SIGPIPE), 0);

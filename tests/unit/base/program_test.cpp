@@ -35,7 +35,7 @@ class ScopedVariable {
 };
 
 TEST(Cpu, ThreadsFollowTheAffinityMask) {
-  std::thread([] {   // the mask is a thread's: the other tests keep theirs
+  std::thread([] {  // the mask is a thread's: the other tests keep theirs
     cpu_set_t all;
     CPU_ZERO(&all);
     ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
@@ -47,7 +47,8 @@ TEST(Cpu, ThreadsFollowTheAffinityMask) {
     CPU_SET(first, &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
     EXPECT_EQ(AvailableThreads(), 1);
-  }).join();
+  })
+      .join();
 }
 
 TEST(Path, LowerExtension) {
@@ -86,10 +87,11 @@ TEST(Module, NamesEveryPathThatItTried) {
   const auto loaded = LoadModuleFunction("burin_none_module", "Make");
   ASSERT_FALSE(loaded.has_value());
   EXPECT_EQ(loaded.error().kind, ErrorKind::kFailed);
-  EXPECT_THAT(loaded.error().message,
-              testing::StartsWith("cannot load the module 'burin_none_module' (set BURIN_MODULE_PATH to its folder); tried:"
-                                  "\n  /nowhere/burin_none_module.so: no such file\n  " +
-                                  folder.File("burin_none_module.so") + ": "));
+  EXPECT_THAT(
+      loaded.error().message,
+      testing::StartsWith("cannot load the module 'burin_none_module' (set BURIN_MODULE_PATH to its folder); tried:"
+                          "\n  /nowhere/burin_none_module.so: no such file\n  " +
+                          folder.File("burin_none_module.so") + ": "));
   EXPECT_THAT(loaded.error().message, HasSubstr("/lib/burin/burin_none_module.so: no such file"));
 }
 

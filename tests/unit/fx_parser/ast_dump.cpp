@@ -60,8 +60,8 @@ std::string Annotations(const std::vector<ast::Annotation>& annotations) {
 }
 
 std::string Operator(ast::BinaryOperator op) {
-  constexpr const char* kTexts[] = {"*", "/", "%", "+", "-", "<<", ">>", "<", ">", "<=",
-                                    ">=", "==", "!=", "&", "^", "|", "&&", "||", ","};
+  constexpr const char* kTexts[] = {
+      "*", "/", "%", "+", "-", "<<", ">>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|", "&&", "||", ","};
   return kTexts[static_cast<int>(op)];
 }
 
@@ -85,7 +85,8 @@ struct ExpressionDump {
     return "(" + Operator(node.op) + " " + Dump(node.left.get()) + " " + Dump(node.right.get()) + ")";
   }
   std::string operator()(const ast::Assign& node) const {
-    return "(" + (node.op ? Operator(*node.op) : "") + "= " + Dump(node.target.get()) + " " + Dump(node.value.get()) + ")";
+    return "(" + (node.op ? Operator(*node.op) : "") + "= " + Dump(node.target.get()) + " " + Dump(node.value.get()) +
+           ")";
   }
   std::string operator()(const ast::Conditional& node) const {
     return "(? " + Dump(node.condition.get()) + " " + Dump(node.if_true.get()) + " " + Dump(node.if_false.get()) + ")";
@@ -100,7 +101,9 @@ struct ExpressionDump {
   std::string operator()(const ast::Cast& node) const {
     return "(cast " + TypeText(node.type) + Sizes(node.array_sizes) + " " + Dump(node.operand.get()) + ")";
   }
-  std::string operator()(const ast::Member& node) const { return "(. " + Dump(node.operand.get()) + " " + node.name + ")"; }
+  std::string operator()(const ast::Member& node) const {
+    return "(. " + Dump(node.operand.get()) + " " + node.name + ")";
+  }
   std::string operator()(const ast::Index& node) const {
     return "([] " + Dump(node.operand.get()) + " " + Dump(node.index.get()) + ")";
   }
@@ -109,7 +112,9 @@ struct ExpressionDump {
     return "(compile " + node.profile + " " + node.function + Each(node.arguments) + ")";
   }
   std::string operator()(const ast::AsmBlock& node) const { return "(asm '" + node.text + "')"; }
-  std::string operator()(const ast::StateBlockExpression& node) const { return "(states" + States(node.block->states) + ")"; }
+  std::string operator()(const ast::StateBlockExpression& node) const {
+    return "(states" + States(node.block->states) + ")";
+  }
 };
 
 std::string DeclarationsOf(const ast::DeclarationStatement& node) {
@@ -128,7 +133,8 @@ struct StatementDump {
   }
   std::string operator()(const ast::If& node) const {
     const std::string tail = node.else_branch ? " else " + Dump(node.else_branch.get()) : "";
-    return Attributes(node.attributes) + "(if " + Dump(node.condition.get()) + " " + Dump(node.then_branch.get()) + tail + ")";
+    return Attributes(node.attributes) + "(if " + Dump(node.condition.get()) + " " + Dump(node.then_branch.get()) +
+           tail + ")";
   }
   std::string operator()(const ast::For& node) const {
     return Attributes(node.attributes) + "(for " + Dump(node.init.get()) + " " + Dump(node.condition.get()) + " " +
@@ -157,11 +163,12 @@ struct StatementDump {
 };
 
 std::string Qualifiers(std::uint32_t bits) {
-  constexpr const char* kTexts[] = {"static", "const", "uniform", "extern", "shared", "volatile", "row_major",
-                                    "column_major", "in", "out", "inline", "nointerpolation", "centroid", "precise"};
+  constexpr const char* kTexts[] = {"static",   "const",           "uniform",      "extern", "shared",
+                                    "volatile", "row_major",       "column_major", "in",     "out",
+                                    "inline",   "nointerpolation", "centroid",     "precise"};
   std::string text;
   for (int i = 0; i < 14; ++i) {
-    if ((bits >> i & 1u) != 0 && i != 6) text += std::string(kTexts[i]) + " ";   // row_major: the type tells
+    if ((bits >> i & 1u) != 0 && i != 6) text += std::string(kTexts[i]) + " ";  // row_major: the type tells
   }
   return text;
 }
@@ -177,16 +184,19 @@ struct DeclarationDump {
   }
   std::string operator()(const std::unique_ptr<ast::Variable>& node) const { return Dump(*node); }
   std::string operator()(const std::unique_ptr<ast::Function>& node) const {
-    std::string text = "(function " + Qualifiers(node->qualifiers) + TypeText(node->return_type_name) + " " + node->name;
+    std::string text =
+        "(function " + Qualifiers(node->qualifiers) + TypeText(node->return_type_name) + " " + node->name;
     for (const auto& parameter : node->parameters) text += " " + Dump(*parameter);
     if (!node->semantic.empty()) text += " : " + node->semantic;
     text += Annotations(node->annotations);
     return text + (node->body ? " " + Dump(node->body.get()) : "") + ")";
   }
   std::string operator()(const std::unique_ptr<ast::Technique>& node) const {
-    std::string text = "(" + node->keyword + (node->name.empty() ? "" : " " + node->name) + Annotations(node->annotations);
+    std::string text =
+        "(" + node->keyword + (node->name.empty() ? "" : " " + node->name) + Annotations(node->annotations);
     for (const auto& pass : node->passes) {
-      text += " (pass" + (pass.name.empty() ? "" : " " + pass.name) + Annotations(pass.annotations) + States(pass.states) + ")";
+      text += " (pass" + (pass.name.empty() ? "" : " " + pass.name) + Annotations(pass.annotations) +
+              States(pass.states) + ")";
     }
     return text + ")";
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fx_parser/syntax/literal.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "fx_parser/syntax/literal.h"
 
 namespace burin::fx {
 namespace {

@@ -62,7 +62,8 @@ TEST(Lexer, ReadsIntegers) {
 }
 
 TEST(Lexer, ReadsFloats) {
-  for (const char* text : {"1.0", "1.", ".5", "1e5", "1E-5", "1.5e+3f", "1.f", "2f", "2h", "1.0h", "3.5F", "1.e2", "08.5", "1.0l", "1.0x"}) {
+  for (const char* text : {"1.0", "1.", ".5", "1e5", "1E-5", "1.5e+3f", "1.f", "2f", "2h", "1.0h", "3.5F", "1.e2",
+                           "08.5", "1.0l", "1.0x"}) {
     EXPECT_EQ(KindOf(text), TokenKind::kFloat) << text;
   }
 }

@@ -20,8 +20,10 @@ TEST(ParserDeclaration, KeepsQualifiersInAnyOrder) {
 }
 
 TEST(ParserDeclaration, TakesSemanticsRegistersAnnotationsAndValueTogether) {
-  EXPECT_EQ(DumpText("float4 c : DIFFUSE : register(vs, c4) < string UIName = \"Colour\"; float UIMin = 0; > = { 1, 1, 1, 1 };"),
-            "[float4 c : DIFFUSE : (vs, c4) <string UIName=\"Colour\"; float UIMin=0> = { 1 1 1 1 }]");
+  EXPECT_EQ(
+      DumpText(
+          "float4 c : DIFFUSE : register(vs, c4) < string UIName = \"Colour\"; float UIMin = 0; > = { 1, 1, 1, 1 };"),
+      "[float4 c : DIFFUSE : (vs, c4) <string UIName=\"Colour\"; float UIMin=0> = { 1 1 1 1 }]");
   EXPECT_EQ(DumpText("sampler s : register(s0);"), "[sampler s : (s0)]");
   EXPECT_EQ(DumpText("float x : packoffset(c0.y);"), "[float x : (c0.y)]");
 }
@@ -106,7 +108,8 @@ TEST(ParserDeclaration, PacksMatricesAsThePragmaSays) {
 }
 
 TEST(ParserDeclaration, ReadsSamplerStates) {
-  EXPECT_EQ(DumpText("sampler s = sampler_state { Texture = <t>; MinFilter = LINEAR; AddressU = (u); BorderColor = float4(0,0,0,1); };"),
+  EXPECT_EQ(DumpText("sampler s = sampler_state { Texture = <t>; MinFilter = LINEAR; AddressU = (u); BorderColor = "
+                     "float4(0,0,0,1); };"),
             "[sampler s = (states Texture=<t> MinFilter=LINEAR AddressU=(u) BorderColor=(new float4 0 0 0 1))]");
   EXPECT_EQ(DumpText("sampler2D s { Texture = t; };"), "[sampler2D s = (states Texture=t)]");
   EXPECT_EQ(DumpText("sampler s[2] = { sampler_state { Texture = <a>; }, SAMPLER_STATE { Texture = <b>; } };"),
@@ -144,7 +147,8 @@ TEST(ParserDeclaration, MarksGlobals) {
 
 TEST(ParserDeclaration, SuggestsANearTypeName) {
   EXPECT_EQ(DumpText("flaot3 x;"), "1:1 error: unknown type 'flaot3'; did you mean 'float3'? [X3000]\n");
-  EXPECT_EQ(DumpText("struct Light { float x; };\nLihgt l;"), "2:1 error: unknown type 'Lihgt'; did you mean 'Light'? [X3000]\n");
+  EXPECT_EQ(DumpText("struct Light { float x; };\nLihgt l;"),
+            "2:1 error: unknown type 'Lihgt'; did you mean 'Light'? [X3000]\n");
   EXPECT_EQ(DumpText("zebra x;"), "1:1 error: unknown type 'zebra' [X3000]\n");
 }
 
@@ -155,19 +159,24 @@ TEST(ParserDeclaration, PutsAMissingSemicolonWhereItBelongs) {
 }
 
 TEST(ParserDeclaration, ReportsWhatCannotStandInAStruct) {
-  EXPECT_EQ(DumpText("struct S : T { float x; };"), "1:10 error: expected '{' (a struct has no base here), found ':' [X3000]\n");
-  EXPECT_EQ(DumpText("struct S { float f() { return 1; } float y; };"), "1:18 error: a struct cannot have functions [X3000]\n");
-  EXPECT_EQ(DumpText("struct S { struct T { float x; } t; };"), "1:19 error: a struct cannot be defined inside a struct [X3000]\n");
+  EXPECT_EQ(DumpText("struct S : T { float x; };"),
+            "1:10 error: expected '{' (a struct has no base here), found ':' [X3000]\n");
+  EXPECT_EQ(DumpText("struct S { float f() { return 1; } float y; };"),
+            "1:18 error: a struct cannot have functions [X3000]\n");
+  EXPECT_EQ(DumpText("struct S { struct T { float x; } t; };"),
+            "1:19 error: a struct cannot be defined inside a struct [X3000]\n");
 }
 
 TEST(ParserDeclaration, ReportsAMissingBraceOfAStructAtTheNextFunction) {
   const auto parsed = ParseText("struct S {\n  float x;\nfloat f(S s) { return s.x; }\nfloat y;");
-  EXPECT_EQ(parsed->Messages(), "3:1 error: expected '}' to end struct 'S', found 'float' [X3000]\n  1:10 to match this\n");
+  EXPECT_EQ(parsed->Messages(),
+            "3:1 error: expected '}' to end struct 'S', found 'float' [X3000]\n  1:10 to match this\n");
   EXPECT_EQ(Dump(parsed->module), "(struct S [float x])\n(function float f [S s] { (return (. s x)) })\n[float y]");
 }
 
 TEST(ParserDeclaration, ReportsAVectorOfAWrongSize) {
-  EXPECT_EQ(DumpText("vector<float, 5> x;"), "1:15 error: the size of a vector is 1 to 4, not 5 [X3052]\n");
+  EXPECT_EQ(DumpText("vector<float, 5> x;"),
+            "1:15 error: the size of a vector is a number from 1 to 4, not '5' [X3052]\n");
   EXPECT_EQ(DumpText("vector<foo, 3> x;"), "1:8 error: expected a scalar type in vector<...>, found 'foo' [X3000]\n");
 }
 
@@ -182,7 +191,8 @@ TEST(ParserDeclaration, ReportsAStrayBraceAndAStrayPass) {
 }
 
 TEST(ParserDeclaration, NamesReshadesNamespaces) {
-  EXPECT_EQ(DumpText("namespace A { float x; }"), "1:1 error: namespaces belong to ReShade FX, not to Direct3D 9 effects [B1202]\n");
+  EXPECT_EQ(DumpText("namespace A { float x; }"),
+            "1:1 error: namespaces belong to ReShade FX, not to Direct3D 9 effects [B1202]\n");
 }
 
 }  // namespace

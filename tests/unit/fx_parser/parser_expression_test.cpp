@@ -6,9 +6,7 @@
 namespace burin::fx::test {
 namespace {
 
-TEST(ParserExpression, MultipliesBeforeItAdds) {
-  EXPECT_EQ(DumpExpression("a + b * c - d"), "(- (+ a (* b c)) d)");
-}
+TEST(ParserExpression, MultipliesBeforeItAdds) { EXPECT_EQ(DumpExpression("a + b * c - d"), "(- (+ a (* b c)) d)"); }
 
 TEST(ParserExpression, GivesEveryBinaryOperatorItsPrecedence) {
   EXPECT_EQ(DumpExpression("a || b && c | d ^ e & f == g < h << i + j * k"),
@@ -107,7 +105,8 @@ TEST(ParserExpression, ReadsInitialiserLists) {
 }
 
 TEST(ParserExpression, ReadsCompileExpressions) {
-  EXPECT_EQ(DumpText("PixelShader p = compile ps_2_0 Main(true, 2, s);"), "[PixelShader p = (compile ps_2_0 Main true 2 s)]");
+  EXPECT_EQ(DumpText("PixelShader p = compile ps_2_0 Main(true, 2, s);"),
+            "[PixelShader p = (compile ps_2_0 Main true 2 s)]");
   EXPECT_EQ(DumpText("VertexShader p = COMPILE arbvp1 Main;"), "[VertexShader p = (compile arbvp1 Main)]");
   EXPECT_EQ(DumpText("PixelShader p = CompileShader(ps_4_0, Main(1));"), "[PixelShader p = (compile ps_4_0 Main 1)]");
 }
@@ -131,9 +130,12 @@ TEST(ParserExpression, ReportsAMissingOperand) {
 
 TEST(ParserExpression, ReportsAnUnclosedBracketWithItsOpening) {
   EXPECT_EQ(DumpExpression("(1 + 2"), "1:17 error: expected ')', found ';' [X3000]\n  1:11 to match this\n");
-  EXPECT_EQ(DumpExpression("f(1 2)"), "1:15 error: expected ',' or ')' after the argument, found '2' [X3000]\n  1:12 to match this\n");
-  EXPECT_EQ(DumpExpression("a[1"), "1:14 error: expected ']' after the index, found ';' [X3000]\n  1:12 to match this\n");
-  EXPECT_EQ(DumpExpression("{ 1 2 }"), "1:15 error: expected ',' or '}' in the initialiser, found '2' [X3000]\n  1:11 to match this\n");
+  EXPECT_EQ(DumpExpression("f(1 2)"),
+            "1:15 error: expected ',' or ')' after the argument, found '2' [X3000]\n  1:12 to match this\n");
+  EXPECT_EQ(DumpExpression("a[1"),
+            "1:14 error: expected ']' after the index, found ';' [X3000]\n  1:12 to match this\n");
+  EXPECT_EQ(DumpExpression("{ 1 2 }"),
+            "1:15 error: expected ',' or '}' in the initialiser, found '2' [X3000]\n  1:11 to match this\n");
 }
 
 TEST(ParserExpression, ReportsAConditionalWithoutColon) {

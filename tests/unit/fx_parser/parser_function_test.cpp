@@ -7,10 +7,11 @@ namespace burin::fx::test {
 namespace {
 
 TEST(ParserFunction, ReadsParametersOfEveryKind) {
-  EXPECT_EQ(DumpText("float4 main(in float2 uv : TEXCOORD0, out float d : DEPTH, inout float3 n, uniform sampler2D s, "
-                     "uniform bool b = true, float w[3]) : COLOR0 { return 0; }"),
-            "(function float4 main [in float2 uv : TEXCOORD0] [out float d : DEPTH] [in out float3 n] [uniform sampler2D s] "
-            "[uniform bool b = true] [float w[3]] : COLOR0 { (return 0) })");
+  EXPECT_EQ(
+      DumpText("float4 main(in float2 uv : TEXCOORD0, out float d : DEPTH, inout float3 n, uniform sampler2D s, "
+               "uniform bool b = true, float w[3]) : COLOR0 { return 0; }"),
+      "(function float4 main [in float2 uv : TEXCOORD0] [out float d : DEPTH] [in out float3 n] [uniform sampler2D s] "
+      "[uniform bool b = true] [float w[3]] : COLOR0 { (return 0) })");
 }
 
 TEST(ParserFunction, ReadsPrototypesAndUnnamedParameters) {
@@ -35,11 +36,13 @@ TEST(ParserFunction, ToleratesASemicolonAfterTheBody) {
 TEST(ParserFunction, ReportsAFaultyParameterList) {
   EXPECT_EQ(DumpText("float f(float a float b) { return a; }\nfloat x;"),
             "1:17 error: expected ',' or ')' in the parameters of 'f', found 'float' [X3000]\n  1:8 to match this\n");
-  EXPECT_EQ(DumpText("float f(float a,) { return a; }"), "1:17 error: expected a parameter of 'f', found ')' [X3000]\n");
+  EXPECT_EQ(DumpText("float f(float a,) { return a; }"),
+            "1:17 error: expected a parameter of 'f', found ')' [X3000]\n");
 }
 
 TEST(ParserFunction, ReportsAMissingBody) {
-  EXPECT_EQ(DumpText("float f() return 1;\nfloat x;"), "1:11 error: expected '{' or ';' after the parameters of 'f', found 'return' [X3000]\n");
+  EXPECT_EQ(DumpText("float f() return 1;\nfloat x;"),
+            "1:11 error: expected '{' or ';' after the parameters of 'f', found 'return' [X3000]\n");
 }
 
 TEST(ParserFunction, ReportsAMissingBraceAtTheNextFunction) {
@@ -49,7 +52,8 @@ TEST(ParserFunction, ReportsAMissingBraceAtTheNextFunction) {
 
 TEST(ParserFunction, GoesOnAfterAMissingBrace) {
   const auto parsed = ParseText("void f() {\ntechnique T { pass P { } }\nfloat x;");
-  EXPECT_EQ(parsed->Messages(), "2:1 error: expected '}' to end function 'f' before this declaration [X3000]\n  1:10 to match this\n");
+  EXPECT_EQ(parsed->Messages(),
+            "2:1 error: expected '}' to end function 'f' before this declaration [X3000]\n  1:10 to match this\n");
   EXPECT_EQ(Dump(parsed->module), "(function void f { ; })\n(technique T (pass P))\n[float x]");
 }
 
@@ -58,7 +62,8 @@ TEST(ParserFunction, RefusesAPrototypeInsideAFunction) {
 }
 
 TEST(ParserFunction, ReportsTheEndOfTheFileWithTheOpenBrace) {
-  EXPECT_EQ(DumpText("void f() {\n  a = 1;\n"), "3:1 error: expected '}', found end of file [X3000]\n  1:10 to match this\n");
+  EXPECT_EQ(DumpText("void f() {\n  a = 1;\n"),
+            "3:1 error: expected '}', found end of file [X3000]\n  1:10 to match this\n");
 }
 
 }  // namespace

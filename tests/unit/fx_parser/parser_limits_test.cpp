@@ -43,7 +43,8 @@ TEST(ParserLimits, RefusesDeepNestingOfEveryKind) {
   EXPECT_EQ(Codes("void f() { " + Repeat("if (a) ", kHuge) + ";}").substr(0, 6), "B1201 ");
   EXPECT_EQ(Codes("void f() { " + Repeat("if (a) ; else ", kHuge) + ";}").substr(0, 6), "B1201 ");
   EXPECT_EQ(Codes("void f() { " + Repeat("do ", kHuge) + ";}").substr(0, 6), "B1201 ");
-  EXPECT_EQ(Codes("void f() { " + Repeat("switch (a) { case 1: ", kHuge) + Repeat("}", kHuge) + "}").substr(0, 6), "B1201 ");
+  EXPECT_EQ(Codes("void f() { " + Repeat("switch (a) { case 1: ", kHuge) + Repeat("}", kHuge) + "}").substr(0, 6),
+            "B1201 ");
   EXPECT_EQ(Codes(Repeat("struct { ", kHuge) + Repeat("};", kHuge)).substr(0, 6), "B1201 ");
   EXPECT_EQ(Codes(Repeat("namespace a { ", kHuge)).substr(0, 6), "B1202 ");
   EXPECT_EQ(Codes("float x = " + Repeat("compile a f(", kHuge) + ";"), "B1201 ");

@@ -125,16 +125,18 @@ TEST(ParserPaperEffect, ParsesFigure2) {
   EXPECT_EQ(Dump(parsed->module.declarations[9]),
             "[sampler objInt = (states texture=<GBAintensity_A8R8G8B8> AddressU=WRAP AddressV=WRAP MIPFILTER=POINT "
             "MINFILTER=POINT)]");
-  EXPECT_EQ(Dump(parsed->module.declarations[10]),
-            "(function float4 PSEdgeFilter [VS_EDGE_OUT In] : COLOR { "
-            "(var [float4 centre = (call tex2D objInt (. In Tex0))]) "
-            "(var [float4 left = (call tex2D objInt (. In Tex1))]) "
-            "(var [float4 right = (call tex2D objInt (. In Tex2))]) "
-            "(var [float edgeWeight = (+ (call abs (- (. centre x) (. left x))) (call abs (- (. centre x) (. right x))))]) "
-            "(var [float4 edgeColor = 1f]) (if (> edgeWeight edgeThreshold) (= edgeColor 0f)) (return edgeColor) })");
-  EXPECT_EQ(Dump(parsed->module.declarations[13]),
-            "(technique T0 (pass P0 VertexShader=(compile vs_1_1 VSEdgeFilter) PixelShader=(compile ps_2_0 PSEdgeFilter)) "
-            "(pass P1 VertexShader=(compile vs_1_1 VSDilate) PixelShader=(compile ps_2_0 PSDilate)))");
+  EXPECT_EQ(
+      Dump(parsed->module.declarations[10]),
+      "(function float4 PSEdgeFilter [VS_EDGE_OUT In] : COLOR { "
+      "(var [float4 centre = (call tex2D objInt (. In Tex0))]) "
+      "(var [float4 left = (call tex2D objInt (. In Tex1))]) "
+      "(var [float4 right = (call tex2D objInt (. In Tex2))]) "
+      "(var [float edgeWeight = (+ (call abs (- (. centre x) (. left x))) (call abs (- (. centre x) (. right x))))]) "
+      "(var [float4 edgeColor = 1f]) (if (> edgeWeight edgeThreshold) (= edgeColor 0f)) (return edgeColor) })");
+  EXPECT_EQ(
+      Dump(parsed->module.declarations[13]),
+      "(technique T0 (pass P0 VertexShader=(compile vs_1_1 VSEdgeFilter) PixelShader=(compile ps_2_0 PSEdgeFilter)) "
+      "(pass P1 VertexShader=(compile vs_1_1 VSDilate) PixelShader=(compile ps_2_0 PSDilate)))");
 }
 
 TEST(ParserPaperEffect, PointsAtTheWordThatIsWrong) {

@@ -56,8 +56,9 @@ TEST(ParserRecovery, StopsAfterTwentyErrors) {
 }
 
 TEST(ParserRecovery, ShowsFaultsThroughIncludesAndMacros) {
-  const auto parsed = ParseFiles({{"main.fx", "float a;\n#include \"lib/inner.fxh\"\nfloat b;\n"},
-                                  {"lib/inner.fxh", "#define DECLARE(name) \\\n  float name = ;\n\n\tDECLARE(speed)\n"}});
+  const auto parsed =
+      ParseFiles({{"main.fx", "float a;\n#include \"lib/inner.fxh\"\nfloat b;\n"},
+                  {"lib/inner.fxh", "#define DECLARE(name) \\\n  float name = ;\n\n\tDECLARE(speed)\n"}});
   EXPECT_EQ(parsed->Formatted(),
             "In file included from main.fx:2:\n"
             "lib/inner.fxh:4:2: error: expected an expression, found ';' [X3000]\n"

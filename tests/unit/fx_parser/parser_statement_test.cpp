@@ -30,9 +30,10 @@ TEST(ParserStatement, ReadsLoops) {
 }
 
 TEST(ParserStatement, KeepsAttributes) {
-  EXPECT_EQ(DumpBody("[unroll] for (;;) { } [branch] if (a) { } [loop] while (b) { } [unroll(8)] [fastopt] for (;;) { }"),
-            "{ [unroll](for ; nothing nothing { }) [branch](if a { }) [loop](while b { }) "
-            "[unroll(8)][fastopt](for ; nothing nothing { }) }");
+  EXPECT_EQ(
+      DumpBody("[unroll] for (;;) { } [branch] if (a) { } [loop] while (b) { } [unroll(8)] [fastopt] for (;;) { }"),
+      "{ [unroll](for ; nothing nothing { }) [branch](if a { }) [loop](while b { }) "
+      "[unroll(8)][fastopt](for ; nothing nothing { }) }");
 }
 
 TEST(ParserStatement, ReadsSwitches) {
@@ -64,8 +65,10 @@ TEST(ParserStatement, ReportsWordsWithoutTheirPartner) {
   EXPECT_EQ(DumpBody("else a = 1;"), "2:1 error: 'else' without 'if' [X3000]\n");
   EXPECT_EQ(DumpBody("case 1: ;"), "2:1 error: 'case' stands inside a switch [X3000]\n");
   EXPECT_EQ(DumpBody("do { } a;"), "2:8 error: expected 'while' after the body of 'do', found 'a' [X3000]\n");
-  EXPECT_EQ(DumpBody("switch (a) { b = 1; case 1: break; }"), "2:14 error: expected 'case' or 'default', found 'b' [X3000]\n");
-  EXPECT_EQ(DumpBody("switch (a) { case 1 break; }"), "2:21 error: expected ':' after the value of 'case', found 'break' [X3000]\n");
+  EXPECT_EQ(DumpBody("switch (a) { b = 1; case 1: break; }"),
+            "2:14 error: expected 'case' or 'default', found 'b' [X3000]\n");
+  EXPECT_EQ(DumpBody("switch (a) { case 1 break; }"),
+            "2:21 error: expected ':' after the value of 'case', found 'break' [X3000]\n");
 }
 
 TEST(ParserStatement, ReportsAnUnknownTypeOnce) {

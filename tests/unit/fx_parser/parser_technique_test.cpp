@@ -7,7 +7,8 @@ namespace burin::fx::test {
 namespace {
 
 TEST(ParserTechnique, ReadsPassesAndAnnotations) {
-  EXPECT_EQ(DumpText("technique T0 < string Script = \"Pass=P0;\"; > {\n pass P0 < bool b = true; > { ZEnable = true; }\n pass { }\n}"),
+  EXPECT_EQ(DumpText("technique T0 < string Script = \"Pass=P0;\"; > {\n pass P0 < bool b = true; > { ZEnable = true; "
+                     "}\n pass { }\n}"),
             "(technique T0 <string Script=\"Pass=P0;\"> (pass P0 <bool b=true> ZEnable=true) (pass))");
 }
 
@@ -31,16 +32,18 @@ TEST(ParserTechnique, TellsAParenthesisedValueFromOneThatOnlyBeginsSo) {
 }
 
 TEST(ParserTechnique, ReadsIndexedStates) {
-  EXPECT_EQ(DumpText("technique T { pass P { ColorOp[0] = SelectArg1; Texture[n + 1] = <t>; Sampler[0] = (s); ColorArg1[0] = Texture; } }"),
+  EXPECT_EQ(DumpText("technique T { pass P { ColorOp[0] = SelectArg1; Texture[n + 1] = <t>; Sampler[0] = (s); "
+                     "ColorArg1[0] = Texture; } }"),
             "(technique T (pass P ColorOp[0]=SelectArg1 Texture[(+ n 1)]=<t> Sampler[0]=(s) ColorArg1[0]=Texture))");
 }
 
 TEST(ParserTechnique, ReadsShaderStates) {
-  EXPECT_EQ(DumpText("technique T { pass P { VertexShader = compile vs_1_1 V(); PIXELSHADER = COMPILE ps_2_0 F(1, t); } "
-                     "pass Q { VertexShader = NULL; PixelShader = (shaders[i]); } "
-                     "pass R { PixelShader = asm { ps_1_1 tex t0 }; } }"),
-            "(technique T (pass P VertexShader=(compile vs_1_1 V) PIXELSHADER=(compile ps_2_0 F 1 t)) "
-            "(pass Q VertexShader=NULL PixelShader=(([] shaders i))) (pass R PixelShader=(asm 'ps_1_1 tex t0')))");
+  EXPECT_EQ(
+      DumpText("technique T { pass P { VertexShader = compile vs_1_1 V(); PIXELSHADER = COMPILE ps_2_0 F(1, t); } "
+               "pass Q { VertexShader = NULL; PixelShader = (shaders[i]); } "
+               "pass R { PixelShader = asm { ps_1_1 tex t0 }; } }"),
+      "(technique T (pass P VertexShader=(compile vs_1_1 V) PIXELSHADER=(compile ps_2_0 F 1 t)) "
+      "(pass Q VertexShader=NULL PixelShader=(([] shaders i))) (pass R PixelShader=(asm 'ps_1_1 tex t0')))");
 }
 
 TEST(ParserTechnique, ReadsDirect3D10Calls) {
@@ -60,7 +63,8 @@ TEST(ParserTechnique, PutsAMissingSemicolonAfterItsState) {
 }
 
 TEST(ParserTechnique, ReportsEachFaultyStateAndKeepsTheOthers) {
-  const auto parsed = ParseText("technique T { pass P { ZEnable true; CullMode = ; AlphaRef = 3; 7 = 8; ZFunc = Less; } pass Q { } }");
+  const auto parsed =
+      ParseText("technique T { pass P { ZEnable true; CullMode = ; AlphaRef = 3; 7 = 8; ZFunc = Less; } pass Q { } }");
   EXPECT_EQ(parsed->Messages(),
             "1:32 error: expected '=' after render state 'ZEnable', found 'true' [X3000]\n"
             "1:49 error: expected an expression, found ';' [X3000]\n"
@@ -69,17 +73,21 @@ TEST(ParserTechnique, ReportsEachFaultyStateAndKeepsTheOthers) {
 }
 
 TEST(ParserTechnique, ReportsAnUnclosedAngle) {
-  EXPECT_EQ(DumpText("sampler s = sampler_state { Texture = <t; };"), "1:41 error: expected '>' after the value, found ';' [X3000]\n  1:39 to match this\n");
+  EXPECT_EQ(DumpText("sampler s = sampler_state { Texture = <t; };"),
+            "1:41 error: expected '>' after the value, found ';' [X3000]\n  1:39 to match this\n");
 }
 
 TEST(ParserTechnique, ReportsAFaultInASamplerStateBlock) {
   EXPECT_EQ(DumpText("sampler s = sampler_state {\n  Texture = <t>\n  MinFilter = LINEAR;\n};\nfloat x"),
-            "2:16 error: expected ';' after sampler state [X3000]\n5:8 error: expected ';' after declaration of 'x' [X3000]\n");
+            "2:16 error: expected ';' after sampler state [X3000]\n5:8 error: expected ';' after declaration of 'x' "
+            "[X3000]\n");
 }
 
 TEST(ParserTechnique, ReportsWhatIsNoPass) {
-  EXPECT_EQ(DumpText("technique T { ZEnable = true; pass P { } }"), "1:15 error: expected 'pass' or '}' in technique 'T', found 'ZEnable' [X3000]\n");
-  EXPECT_EQ(DumpText("technique T < string a = \"x\"; > ;"), "1:33 error: expected '{' to begin technique 'T', found ';' [X3000]\n");
+  EXPECT_EQ(DumpText("technique T { ZEnable = true; pass P { } }"),
+            "1:15 error: expected 'pass' or '}' in technique 'T', found 'ZEnable' [X3000]\n");
+  EXPECT_EQ(DumpText("technique T < string a = \"x\"; > ;"),
+            "1:33 error: expected '{' to begin technique 'T', found ';' [X3000]\n");
 }
 
 TEST(ParserTechnique, ReportsAMissingBraceOfAPassAtTheNextPass) {

@@ -29,11 +29,14 @@ TEST(PreprocessorDirective, TakesSpacesAroundTheHashAndEmptyDirectives) {
   EXPECT_EQ(Preprocess("  #  define A 1\n#\n/* c */ # /* d */ define B 2\nA B\n# 12 \"x.fx\"\nc").text, "1 2\nc");
 }
 
-TEST(PreprocessorDirective, LeavesAHashInTheMiddleOfALine) { EXPECT_EQ(Preprocess("a # define b").text, "a # define b"); }
+TEST(PreprocessorDirective, LeavesAHashInTheMiddleOfALine) {
+  EXPECT_EQ(Preprocess("a # define b").text, "a # define b");
+}
 
 TEST(PreprocessorDirective, IgnoresKnownPragmasAndWarnsOfOthers) {
-  EXPECT_EQ(Preprocess("#pragma warning(disable : 3571)\n#pragma\n#pragma reshade showstatistics\n#pragma shiny\n").messages,
-            "4:9 warning: 'shiny': unknown pragma ignored [X3568]\n");
+  EXPECT_EQ(
+      Preprocess("#pragma warning(disable : 3571)\n#pragma\n#pragma reshade showstatistics\n#pragma shiny\n").messages,
+      "4:9 warning: 'shiny': unknown pragma ignored [X3568]\n");
 }
 
 TEST(PreprocessorDirective, ReportsAMalformedPackMatrix) {
@@ -51,7 +54,8 @@ TEST(PreprocessorDirective, ShowsTheLinesThatLineClaims) {
             "float b = __LINE__ +;\n"
             "                    ^\n");
   EXPECT_EQ(Preprocess("#line 100 \"made.fx\"\n__LINE__ __FILE__").text, "100 \"made.fx\"");
-  EXPECT_EQ(Preprocess("#line x\n").messages, "1:2 error: expected a line number and perhaps a file name after #line [B1004]\n");
+  EXPECT_EQ(Preprocess("#line x\n").messages,
+            "1:2 error: expected a line number and perhaps a file name after #line [B1004]\n");
 }
 
 }  // namespace

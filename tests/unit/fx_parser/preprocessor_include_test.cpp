@@ -9,23 +9,34 @@ namespace {
 using Files = std::vector<std::pair<std::string, std::string>>;
 
 TEST(PreprocessorInclude, ReadsBothQuoteForms) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\"\n#include <b.fxh> // b\nx"}, {"a.fxh", "a"}, {"b.fxh", "b\n"}}).text, "a\nb\nx");
+  EXPECT_EQ(
+      Preprocess({{"main.fx", "#include \"a.fxh\"\n#include <b.fxh> // b\nx"}, {"a.fxh", "a"}, {"b.fxh", "b\n"}}).text,
+      "a\nb\nx");
 }
 
 TEST(PreprocessorInclude, LooksBesideTheIncludingFileFirstThenInTheFolders) {
-  const Files files{{"main.fx", "#include \"sub/a.fxh\""}, {"sub/a.fxh", "#include \"b.fxh\"\n#include \"c.fxh\""},
-                    {"sub/b.fxh", "near"}, {"lib/b.fxh", "far"}, {"lib/c.fxh", "first"}, {"more/c.fxh", "second"}};
+  const Files files{{"main.fx", "#include \"sub/a.fxh\""},
+                    {"sub/a.fxh", "#include \"b.fxh\"\n#include \"c.fxh\""},
+                    {"sub/b.fxh", "near"},
+                    {"lib/b.fxh", "far"},
+                    {"lib/c.fxh", "first"},
+                    {"more/c.fxh", "second"}};
   PreprocessOptions options;
   options.include_folders = {"lib", "more/"};
   EXPECT_EQ(Preprocess(files, options).text, "near\nfirst");
 }
 
 TEST(PreprocessorInclude, FindsWindowsPaths) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"Lib\\Common.FXH\"\n#include <.\\lib\\common.fxh>"}, {"lib/common.fxh", "x"}}).text, "x\nx");
+  EXPECT_EQ(
+      Preprocess({{"main.fx", "#include \"Lib\\Common.FXH\"\n#include <.\\lib\\common.fxh>"}, {"lib/common.fxh", "x"}})
+          .text,
+      "x\nx");
 }
 
 TEST(PreprocessorInclude, TakesNamesFromMacros) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#define Q \"a.fxh\"\n#define P <a.fxh>\n#include Q\n#include P"}, {"a.fxh", "x"}}).text, "x\nx");
+  EXPECT_EQ(
+      Preprocess({{"main.fx", "#define Q \"a.fxh\"\n#define P <a.fxh>\n#include Q\n#include P"}, {"a.fxh", "x"}}).text,
+      "x\nx");
 }
 
 TEST(PreprocessorInclude, NamesTheFoldersSearched) {
@@ -45,9 +56,13 @@ TEST(PreprocessorInclude, RefusesMalformedIncludes) {
 }
 
 TEST(PreprocessorInclude, ShowsTheCycle) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\""}, {"a.fxh", "\n#include \"b.fxh\""}, {"b.fxh", "#include \"./A.fxh\""}}).messages,
-            "b.fxh:1:10 error: include cycle: 'a.fxh' -> 'b.fxh' -> 'a.fxh' [B1002]\n");
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"main.fx\""}}).messages, "1:10 error: include cycle: 'main.fx' -> 'main.fx' [B1002]\n");
+  EXPECT_EQ(
+      Preprocess(
+          {{"main.fx", "#include \"a.fxh\""}, {"a.fxh", "\n#include \"b.fxh\""}, {"b.fxh", "#include \"./A.fxh\""}})
+          .messages,
+      "b.fxh:1:10 error: include cycle: 'a.fxh' -> 'b.fxh' -> 'a.fxh' [B1002]\n");
+  EXPECT_EQ(Preprocess({{"main.fx", "#include \"main.fx\""}}).messages,
+            "1:10 error: include cycle: 'main.fx' -> 'main.fx' [B1002]\n");
 }
 
 TEST(PreprocessorInclude, FindsACycleThatDefinesMacros) {
@@ -66,23 +81,32 @@ TEST(PreprocessorInclude, TakesGuardedFilesThatIncludeEachOther) {
 TEST(PreprocessorInclude, TakesAFileThatCountsItself) {
   const Preprocessed result = Preprocess(
       {{"main.fx", "#include \"n.fxh\""},
-       {"n.fxh", "n\n#ifndef N1\n#define N1\n#include \"n.fxh\"\n#elif !defined(N2)\n#define N2\n#include \"n.fxh\"\n#endif"}});
+       {"n.fxh",
+        "n\n#ifndef N1\n#define N1\n#include \"n.fxh\"\n#elif !defined(N2)\n#define N2\n#include \"n.fxh\"\n#endif"}});
   EXPECT_EQ(result.messages, "");
   EXPECT_EQ(result.text, "n\nn\nn");
 }
 
 TEST(PreprocessorInclude, ReadsAPragmaOnceFileOnce) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\"\n#include \"x/../a.fxh\"\n#include \"A.fxh\""}, {"a.fxh", "#pragma once\na\n#include \"a.fxh\""}}).text, "a");
+  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\"\n#include \"x/../a.fxh\"\n#include \"A.fxh\""},
+                        {"a.fxh", "#pragma once\na\n#include \"a.fxh\""}})
+                .text,
+            "a");
 }
 
 TEST(PreprocessorInclude, ReadsCrLfBomAndForeignBytes) {
-  const Preprocessed result = Preprocess({{"main.fx", "\xEF\xBB\xBF#include \"a.fxh\"\r\nx\r\n"}, {"a.fxh", "// \x93\xfa\x96\x7b\r\n#define A \\\r\n 1\r\nA"}});
+  const Preprocessed result = Preprocess({{"main.fx", "\xEF\xBB\xBF#include \"a.fxh\"\r\nx\r\n"},
+                                          {"a.fxh", "// \x93\xfa\x96\x7b\r\n#define A \\\r\n 1\r\nA"}});
   EXPECT_EQ(result.messages, "");
   EXPECT_EQ(result.text, "1\nx");
 }
 
 TEST(PreprocessorInclude, RefusesWhatIsNoText) {
-  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\""}, {"a.fxh", std::string("\xFF\xFE" "f\0", 4)}}).messages,
+  EXPECT_EQ(Preprocess({{"main.fx", "#include \"a.fxh\""},
+                        {"a.fxh", std::string("\xFF\xFE"
+                                              "f\0",
+                                              4)}})
+                .messages,
             "1:10 error: cannot read include file 'a.fxh': the file is UTF-16; save it as UTF-8 [X1507]\n");
   EXPECT_EQ(Preprocess({{"main.fx", std::string("a\0b", 3)}}).messages,
             "- error: cannot read effect file 'main.fx': the file is not text (it has a zero byte) [X1507]\n");
@@ -90,7 +114,8 @@ TEST(PreprocessorInclude, RefusesWhatIsNoText) {
 
 TEST(PreprocessorInclude, LimitsTheDepth) {
   Files files{{"main.fx", "#include \"f0\""}};
-  for (int i = 0; i < 100; ++i) files.emplace_back("f" + std::to_string(i), "#include \"f" + std::to_string(i + 1) + "\"");
+  for (int i = 0; i < 100; ++i)
+    files.emplace_back("f" + std::to_string(i), "#include \"f" + std::to_string(i + 1) + "\"");
   files.emplace_back("f100", "x");
   EXPECT_EQ(Preprocess(files).messages, "f63:1:2 error: includes are nested more than 64 deep [B1003]\n");
 }

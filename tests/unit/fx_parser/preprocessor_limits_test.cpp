@@ -33,7 +33,8 @@ TEST(PreprocessorLimits, StopsNamesThatDoubleTheirLength) {
 TEST(PreprocessorLimits, StopsAChainOfMacros) {
   std::string text = "#define L0 x\n";
   for (int i = 1; i < 1000; ++i) text += "#define " + Level(i) + " " + Level(i - 1) + "\n";
-  EXPECT_EQ(Preprocess(text + "L999").messages, "1001:1 error: macros expand inside one another more than 200 levels deep [B1003]\n");
+  EXPECT_EQ(Preprocess(text + "L999").messages,
+            "1001:1 error: macros expand inside one another more than 200 levels deep [B1003]\n");
   EXPECT_EQ(Preprocess(text + "L150").text, "x");
 }
 

@@ -31,7 +31,8 @@ TEST(PreprocessorMacro, SplitsArgumentsAtTopLevelCommas) {
 
 TEST(PreprocessorMacro, ExpandsArgumentsBeforeSubstitution) {
   EXPECT_EQ(Expand("#define ONE 1\n#define F(x) x x\nF(ONE F(ONE))"), "1 1 1 1 1 1");
-  EXPECT_EQ(Expand("#define CAT(a, b) a ## b\n#define XCAT(a, b) CAT(a, b)\n#define N 3\nCAT(x, N) XCAT(x, N)"), "xN x3");
+  EXPECT_EQ(Expand("#define CAT(a, b) a ## b\n#define XCAT(a, b) CAT(a, b)\n#define N 3\nCAT(x, N) XCAT(x, N)"),
+            "xN x3");
 }
 
 TEST(PreprocessorMacro, LeavesAMacroInsideItselfAlone) {
@@ -61,7 +62,9 @@ TEST(PreprocessorMacro, PastesNumbersAndPunctuators) {
   EXPECT_EQ(Expand("#define TEX a ## b\nTEX"), "ab");
 }
 
-TEST(PreprocessorMacro, GivesSeveralTokensWhereAPasteMakesNone) { EXPECT_EQ(Expand("#define P(a, b) a ## b\nP(., x)"), ". x"); }
+TEST(PreprocessorMacro, GivesSeveralTokensWhereAPasteMakesNone) {
+  EXPECT_EQ(Expand("#define P(a, b) a ## b\nP(., x)"), ". x");
+}
 
 TEST(PreprocessorMacro, TakesVariadicMacros) {
   EXPECT_EQ(Expand("#define V(...) f(__VA_ARGS__)\nV() V(1) V(1, 2)"), "f ( ) f ( 1 ) f ( 1 , 2 )");
@@ -108,13 +111,15 @@ TEST(PreprocessorMacro, ReportsArgumentCounts) {
   EXPECT_EQ(Expand("#define F(x, y) x\nF(1, 2, 3)"),
             "2:1 error: macro 'F' takes 2 arguments but is given 3 [B1012]\n  1:9 macro 'F' is defined here\n");
   EXPECT_EQ(Expand("#define F(x, y) x\nF(1)"),
-            "2:1 warning: not enough arguments for macro 'F': 2 expected, 1 given [X1516]\n  1:9 macro 'F' is defined here\n");
+            "2:1 warning: not enough arguments for macro 'F': 2 expected, 1 given [X1516]\n  1:9 macro 'F' is defined "
+            "here\n");
   EXPECT_EQ(Expand("#define F() x\nF(1)"),
             "2:1 error: macro 'F' takes 0 arguments but is given 1 [B1012]\n  1:9 macro 'F' is defined here\n");
 }
 
 TEST(PreprocessorMacro, ReportsAnUnfinishedCall) {
-  EXPECT_EQ(Expand("#define F(x) x\nF(1, (2)\nfloat a;"), "2:1 error: missing ')' to end the arguments of macro 'F' [B1011]\n");
+  EXPECT_EQ(Expand("#define F(x) x\nF(1, (2)\nfloat a;"),
+            "2:1 error: missing ')' to end the arguments of macro 'F' [B1011]\n");
 }
 
 TEST(PreprocessorMacro, ReportsMalformedDefinitions) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fx_parser/source/diagnostic.h"
-
 #include <gtest/gtest.h>
+
+#include "fx_parser/source/diagnostic.h"
 
 namespace burin::fx {
 namespace {
@@ -75,7 +75,8 @@ TEST(SourceFormatDiagnostic, CountsOneCellForACharacterOfSeveralBytes) {
 }
 
 TEST(SourceFormatDiagnostic, ReplacesBytesThatAreNoText) {
-  EXPECT_EQ(Format("a\x93\xfa\x1b[31m b", On(1, 10, 11)), "toon.fx:1:10: error: wrong [X3000]\na???[31m b\n         ^\n");
+  EXPECT_EQ(Format("a\x93\xfa\x1b[31m b", On(1, 10, 11)),
+            "toon.fx:1:10: error: wrong [X3000]\na???[31m b\n         ^\n");
 }
 
 TEST(SourceFormatDiagnostic, KeepsControlCharactersFromTheTerminal) {
@@ -87,8 +88,8 @@ TEST(SourceFormatDiagnostic, KeepsControlCharactersFromTheTerminal) {
 
 TEST(SourceFormatDiagnostic, ShowsAWindowOfALongLine) {
   const std::string formatted = Format(std::string(5000, 'a') + "B" + std::string(5000, 'c'), On(1, 5001, 5002));
-  EXPECT_EQ(formatted, "toon.fx:1:5001: error: wrong [X3000]\n..." + std::string(100, 'a') + "B" + std::string(59, 'c') +
-                           "...\n" + std::string(103, ' ') + "^\n");
+  EXPECT_EQ(formatted, "toon.fx:1:5001: error: wrong [X3000]\n..." + std::string(100, 'a') + "B" +
+                           std::string(59, 'c') + "...\n" + std::string(103, ' ') + "^\n");
 }
 
 TEST(SourceFormatDiagnostic, PrintsWarningsNotesAndPlacelessMessages) {
@@ -125,8 +126,10 @@ TEST(SourceFormatDiagnostic, SaysThatAMacroIsTheHosts) {
 }
 
 TEST(SourceFormatDiagnostic, ColoursTheWord) {
-  const std::string colored = FormatDiagnostic({Severity::kError, On(1, 1, 2), "wrong", "X3000", {}}, OneFile("a"), true);
-  EXPECT_EQ(colored, "\033[1mtoon.fx:1:1:\033[0m \033[1;31merror:\033[0m \033[1mwrong [X3000]\033[0m\na\n\033[1;32m^\033[0m\n");
+  const std::string colored =
+      FormatDiagnostic({Severity::kError, On(1, 1, 2), "wrong", "X3000", {}}, OneFile("a"), true);
+  EXPECT_EQ(colored,
+            "\033[1mtoon.fx:1:1:\033[0m \033[1;31merror:\033[0m \033[1mwrong [X3000]\033[0m\na\n\033[1;32m^\033[0m\n");
 }
 
 TEST(SourceFormatDiagnostic, SurvivesPlacesOutsideTheText) {

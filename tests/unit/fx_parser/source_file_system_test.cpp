@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fx_parser/source/file_system.h"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "fx_parser/source/file_system.h"
 #include "fx_parser/source/include_resolver.h"
 #include "fx_parser/source/source.h"
 #include "fx_parser/source/source_text.h"
@@ -60,7 +59,8 @@ TEST_F(SourceFileSystem, FindsFilesWithoutRegardToCase) {
   EXPECT_EQ(files_.Find(folder_ + "/shaders/COMMON/util.fxh"), path);
   EXPECT_EQ(files_.Find(folder_ + "/shaders\\common\\util.fxh"), path);
   EXPECT_EQ(files_.Find(folder_ + "/shaders/other/../common/util.fxh"), "");
-  EXPECT_EQ(files_.Find(folder_ + "/shaders/../SHADERS/common/util.fxh"), folder_ + "/Shaders/../Shaders/Common/Util.FXH");
+  EXPECT_EQ(files_.Find(folder_ + "/shaders/../SHADERS/common/util.fxh"),
+            folder_ + "/Shaders/../Shaders/Common/Util.FXH");
   EXPECT_EQ(files_.Find(folder_ + "/shaders/common"), "");
   EXPECT_EQ(files_.Find(folder_ + "/none.fxh"), "");
   EXPECT_EQ(files_.Find(""), "");

@@ -51,7 +51,8 @@ std::string Parsed::Formatted() const {
   return text;
 }
 
-std::unique_ptr<Parsed> ParseFiles(std::vector<std::pair<std::string, std::string>> files, const PreprocessOptions& options) {
+std::unique_ptr<Parsed> ParseFiles(std::vector<std::pair<std::string, std::string>> files,
+                                   const PreprocessOptions& options) {
   const InMemoryFileSystem system = FilesOf(std::move(files));
   auto parsed = std::make_unique<Parsed>();
   parsed->module = Parse(kMain, system, options, parsed->sources, parsed->diagnostics);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/attribute_table.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
 
 namespace burin::gbuffer {
 namespace {
@@ -37,10 +37,12 @@ std::string Paragraph(const AttributeInfo& info) {
   if (info.is_signed) flags += " Signed.";
   if (info.is_color) flags += " Colour.";
   if (info.is_id) flags += " Id.";
-  const std::string escaped_range = info.range == "-1..1" ? "\\-1..1" : info.range == "-1 or 1" ? "\\-1 or 1" : std::string(info.range);
-  return fmt::format(".TP\n.B {}\n{}{}\n.br\nComponents {}; space {}; range {}; unit {}; background {}; EXR {}.\n", info.name,
-                     info.description, flags, info.components, info.space == "-" ? "none" : info.space, escaped_range,
-                     info.unit == "-" ? "none" : info.unit, Number(info.background[0]), Join(info));
+  const std::string escaped_range = info.range == "-1..1"     ? "\\-1..1"
+                                    : info.range == "-1 or 1" ? "\\-1 or 1"
+                                                              : std::string(info.range);
+  return fmt::format(".TP\n.B {}\n{}{}\n.br\nComponents {}; space {}; range {}; unit {}; background {}; EXR {}.\n",
+                     info.name, info.description, flags, info.components, info.space == "-" ? "none" : info.space,
+                     escaped_range, info.unit == "-" ? "none" : info.unit, Number(info.background[0]), Join(info));
 }
 
 TEST(AttributeTable, NamesAreFoundInAnyCase) {

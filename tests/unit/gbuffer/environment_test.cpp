@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gbuffer/environment.h"
 
-#include <cmath>
-#include <limits>
-#include <random>
+#include <gmock/gmock.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <gmock/gmock.h>
+#include <limits>
+#include <random>
 
 namespace burin::gbuffer {
 namespace {
@@ -15,7 +15,9 @@ namespace {
 constexpr float kPi = glm::pi<float>();
 
 EnvironmentMap Uniform(const glm::vec3& radiance, int width = 64) {
-  return {.width = width, .height = width / 2, .pixels = std::vector<glm::vec3>(static_cast<std::size_t>(width * width / 2), radiance)};
+  return {.width = width,
+          .height = width / 2,
+          .pixels = std::vector<glm::vec3>(static_cast<std::size_t>(width * width / 2), radiance)};
 }
 
 // radiance(direction) over the whole sphere.
@@ -41,11 +43,13 @@ float Evaluate(const std::array<glm::vec3, 9>& sh, const glm::vec3& n) {
 
 TEST(Environment, TheCentreLiesAtMinusZAndXGrowsToTheRight) {
   EnvironmentMap map = Uniform(glm::vec3(0.0f));
-  const auto set = [&](int x, int y, float value) { map.pixels[static_cast<std::size_t>(y * 64 + x)] = glm::vec3(value); };
+  const auto set = [&](int x, int y, float value) {
+    map.pixels[static_cast<std::size_t>(y * 64 + x)] = glm::vec3(value);
+  };
   for (int i = 0; i < 2; ++i) {
     for (int j = 15; j < 17; ++j) {
-      set(31 + i, j, 1);   // the middle
-      set(47 + i, j, 2);   // three quarters to the right
+      set(31 + i, j, 1);  // the middle
+      set(47 + i, j, 2);  // three quarters to the right
     }
   }
   for (int x = 0; x < 64; ++x) set(x, 0, 3);
@@ -58,7 +62,7 @@ TEST(Environment, TheCentreLiesAtMinusZAndXGrowsToTheRight) {
 TEST(Environment, LookUpsWrapRoundTheBack) {
   EnvironmentMap map = Uniform(glm::vec3(0.0f));
   for (int y = 0; y < 32; ++y) map.pixels[static_cast<std::size_t>(y * 64)] = glm::vec3(1.0f);
-  EXPECT_NEAR(SampleEnvironment(map, {0, 0, 1}).r, 0.5f, 1e-4f);   // between the first column and the last
+  EXPECT_NEAR(SampleEnvironment(map, {0, 0, 1}).r, 0.5f, 1e-4f);  // between the first column and the last
 }
 
 TEST(Environment, AUniformRoomGivesItsOwnRadianceEverywhere) {
@@ -91,8 +95,8 @@ TEST(Environment, TheMirrorLevelIsTheMapAndRoughnessSpreadsIt) {
     const int size = 64 >> level;
     return map.levels[level][static_cast<std::size_t>((face * size + size / 2) * size + size / 2)].r;
   };
-  EXPECT_NEAR(center(0, 0), 10.0f, 1e-3f);   // +x
-  EXPECT_NEAR(center(0, 1), 0.0f, 1e-3f);    // -x
+  EXPECT_NEAR(center(0, 0), 10.0f, 1e-3f);  // +x
+  EXPECT_NEAR(center(0, 1), 0.0f, 1e-3f);   // -x
   EXPECT_NEAR(center(0, 5), 0.0f, 1e-3f);
   for (std::size_t level = 1; level < 4; ++level) EXPECT_LT(center(level, 0), center(level - 1, 0) + 1e-3f);
   EXPECT_GT(center(3, 0), center(3, 5));
@@ -100,11 +104,12 @@ TEST(Environment, TheMirrorLevelIsTheMapAndRoughnessSpreadsIt) {
 
 TEST(Environment, PrefilteringKeepsTheLightThatARoughSurfaceSees) {
   // A sky of 1 + d.y at roughness 1: by the lobe's symmetry the level is 1 + c n.y with one c everywhere.
-  const ReflectionMap map = FilterReflections(FromFunction(256, [](const glm::vec3& d) { return glm::vec3(1.0f + d.y); }), 64);
+  const ReflectionMap map =
+      FilterReflections(FromFunction(256, [](const glm::vec3& d) { return glm::vec3(1.0f + d.y); }), 64);
   const auto& rough = map.levels.back();
   const auto face = [&](int index) { return rough[static_cast<std::size_t>((index * 8 + 4) * 8 + 4)].r; };
   EXPECT_NEAR(face(2) + face(3), 2.0f, 0.02f);
-  EXPECT_NEAR(face(2) - 1.0f, 2.0f / 3.0f, 0.06f);   // weights n.l over GGX of roughness 1: the cosine lobe
+  EXPECT_NEAR(face(2) - 1.0f, 2.0f / 3.0f, 0.06f);  // weights n.l over GGX of roughness 1: the cosine lobe
 }
 
 TEST(Environment, ImagesOfEveryKindAreTaken) {

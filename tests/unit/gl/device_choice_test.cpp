@@ -71,8 +71,9 @@ TEST(DeviceChoice, ErrorsSayWhatWasExpected) {
   EXPECT_EQ(ParseDeviceChoice("").error().message,
             "--device is empty; expected auto, software, a number, cuda:N, or part of a device's name");
   EXPECT_EQ(ParseDeviceChoice("cuda:").error().message, "--device cuda:: expected a number after 'cuda:'");
-  EXPECT_EQ(ParseDeviceChoice("-1").error().message,
-            "--device -1: not a device's number; expected auto, software, a number, cuda:N, or part of a device's name");
+  EXPECT_EQ(
+      ParseDeviceChoice("-1").error().message,
+      "--device -1: not a device's number; expected auto, software, a number, cuda:N, or part of a device's name");
 }
 
 TEST(DeviceChoice, ExtensionsAreComparedByWholeTokens) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/gl/program_cache.h"
 
+#include <gmock/gmock.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
-
-#include <gmock/gmock.h>
-#include <unistd.h>
 
 namespace burin::gl {
 namespace {
@@ -52,7 +52,7 @@ TEST_F(ProgramCacheTest, RefusesEveryDamagedByteAndEveryTruncation) {
   const std::string whole = Contents(cache.PathOf("key"));
   ASSERT_EQ(whole.size(), 32u + 3u + 3u);
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    if (i >= 8 && i < 12) continue;   // the binary format: the driver's to refuse
+    if (i >= 8 && i < 12) continue;  // the binary format: the driver's to refuse
     std::string damaged = whole;
     damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
     Overwrite(cache.PathOf("key"), damaged);

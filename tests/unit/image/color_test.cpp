@@ -105,11 +105,11 @@ TEST_F(Color, AcesConfigurationGivesItsGoldenNumbers) {
   if (config.empty()) GTEST_SKIP() << "no shared data";
   const auto sdr = module_->MakeColorTransform({config, "sRGB - Display", "ACES 1.0 - SDR Video"});
   ASSERT_TRUE(sdr.has_value()) << sdr.error().message;
-  constexpr float kSixDigits = 2e-6F;   // the golden numbers have six digits
+  constexpr float kSixDigits = 2e-6F;  // the golden numbers have six digits
   std::vector<float> pixel{0.18F, 0.18F, 0.18F, 1.0F};
   (*sdr)->SceneToDisplay(pixel);
   EXPECT_NEAR(pixel[0], 0.355954F, kSixDigits);
-  constexpr float kInverseLut = 1e-3F;   // the inverse of the tone curve is interpolated
+  constexpr float kInverseLut = 1e-3F;  // the inverse of the tone curve is interpolated
   (*sdr)->DisplayToScene(pixel);
   EXPECT_NEAR(pixel[0], 0.18F, kInverseLut);
 }

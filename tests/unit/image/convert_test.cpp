@@ -135,14 +135,14 @@ TEST(Orientation, EveryTagValueComesOutUpright) {
     std::vector<std::uint8_t> stored;
   };
   const std::vector<Case> cases{
-      {1, 3, 2, {1, 2, 3, 4, 5, 6}},   // row 0 top, column 0 left
-      {2, 3, 2, {3, 2, 1, 6, 5, 4}},   // top, right
-      {3, 3, 2, {6, 5, 4, 3, 2, 1}},   // bottom, right
-      {4, 3, 2, {4, 5, 6, 1, 2, 3}},   // bottom, left
-      {5, 2, 3, {1, 4, 2, 5, 3, 6}},   // row 0 left, column 0 top
-      {6, 2, 3, {3, 6, 2, 5, 1, 4}},   // right, top
-      {7, 2, 3, {6, 3, 5, 2, 4, 1}},   // right, bottom
-      {8, 2, 3, {4, 1, 5, 2, 6, 3}},   // left, bottom
+      {1, 3, 2, {1, 2, 3, 4, 5, 6}},  // row 0 top, column 0 left
+      {2, 3, 2, {3, 2, 1, 6, 5, 4}},  // top, right
+      {3, 3, 2, {6, 5, 4, 3, 2, 1}},  // bottom, right
+      {4, 3, 2, {4, 5, 6, 1, 2, 3}},  // bottom, left
+      {5, 2, 3, {1, 4, 2, 5, 3, 6}},  // row 0 left, column 0 top
+      {6, 2, 3, {3, 6, 2, 5, 1, 4}},  // right, top
+      {7, 2, 3, {6, 3, 5, 2, 4, 1}},  // right, bottom
+      {8, 2, 3, {4, 1, 5, 2, 6, 3}},  // left, bottom
       {99, 3, 2, {1, 2, 3, 4, 5, 6}},
   };
   for (const Case& c : cases) {

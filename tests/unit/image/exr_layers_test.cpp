@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 struct StoredChannel {
   std::string name;
-  int type;   ///< 0 unsigned, 1 half, 2 float
+  int type;  ///< 0 unsigned, 1 half, 2 float
   bool operator==(const StoredChannel&) const = default;
 };
 void PrintTo(const StoredChannel& channel, std::ostream* out) { *out << channel.name << ":" << channel.type; }
@@ -70,13 +70,14 @@ TEST_F(ExrLayers, ChannelsAreSortedWithTheirOwnTypes) {
   const Image normal = Filled(3, SampleType::kF16, 100);
   const Image depth = Filled(1, SampleType::kF32, 200);
   const Image id = Filled(1, SampleType::kU32, 300);
-  const std::vector<Layer> layers{{{"R", "G", "B", "A"}, &color}, {{"N.X", "N.Y", "N.Z"}, &normal}, {{"Z"}, &depth}, {{"objectid.id"}, &id}};
+  const std::vector<Layer> layers{
+      {{"R", "G", "B", "A"}, &color}, {{"N.X", "N.Y", "N.Z"}, &normal}, {{"Z"}, &depth}, {{"objectid.id"}, &id}};
   const auto written = module_->WriteLayers(folder_.File("a.exr"), layers, {});
   ASSERT_TRUE(written.has_value()) << written.error().message;
   EXPECT_THAT(ChannelsOf(folder_.File("a.exr")),
               ElementsAre(StoredChannel{"A", 1}, StoredChannel{"B", 1}, StoredChannel{"G", 1}, StoredChannel{"N.X", 1},
-                          StoredChannel{"N.Y", 1}, StoredChannel{"N.Z", 1}, StoredChannel{"R", 1}, StoredChannel{"Z", 2},
-                          StoredChannel{"objectid.id", 0}));
+                          StoredChannel{"N.Y", 1}, StoredChannel{"N.Z", 1}, StoredChannel{"R", 1},
+                          StoredChannel{"Z", 2}, StoredChannel{"objectid.id", 0}));
   // Read back, the picture is the main layer; its type is one that holds all of it.
   const auto read = module_->Read(folder_.File("a.exr"));
   ASSERT_TRUE(read.has_value()) << read.error().message;
@@ -87,7 +88,8 @@ TEST_F(ExrLayers, ChannelsAreSortedWithTheirOwnTypes) {
 TEST_F(ExrLayers, OneLayerComesBackExactly) {
   const Image normal = Filled(3, SampleType::kF32, -7);
   const Image id = Filled(1, SampleType::kU32, 4000000);
-  ASSERT_TRUE(module_->WriteLayers(folder_.File("n.exr"), std::vector<Layer>{{{"N.X", "N.Y", "N.Z"}, &normal}}, {}).has_value());
+  ASSERT_TRUE(module_->WriteLayers(folder_.File("n.exr"), std::vector<Layer>{{{"N.X", "N.Y", "N.Z"}, &normal}}, {})
+                  .has_value());
   EXPECT_EQ(module_->Read(folder_.File("n.exr"))->pixels, normal.pixels);
   ASSERT_TRUE(module_->WriteLayers(folder_.File("i.exr"), std::vector<Layer>{{{"id"}, &id}}, {}).has_value());
   const auto read = module_->Read(folder_.File("i.exr"));
@@ -100,7 +102,8 @@ TEST_F(ExrLayers, OneLayerComesBackExactly) {
 TEST_F(ExrLayers, IntegerLayersBecomeFloatingOnes) {
   const Image bytes = ToType(Filled(1, SampleType::kF32, 0), SampleType::kU8);
   const Image words = ToType(Filled(1, SampleType::kF32, 0), SampleType::kU16);
-  ASSERT_TRUE(module_->WriteLayers(folder_.File("a.exr"), std::vector<Layer>{{{"a"}, &bytes}, {{"b"}, &words}}, {}).has_value());
+  ASSERT_TRUE(module_->WriteLayers(folder_.File("a.exr"), std::vector<Layer>{{{"a"}, &bytes}, {{"b"}, &words}}, {})
+                  .has_value());
   EXPECT_THAT(ChannelsOf(folder_.File("a.exr")), ElementsAre(StoredChannel{"a", 1}, StoredChannel{"b", 2}));
 }
 
@@ -118,7 +121,8 @@ TEST_F(ExrLayers, RefusesWhatDoesNotFitTogether) {
   const Image b = MakeImage(6, 3, 1, SampleType::kF32, Encoding::kData);
   const std::string front = "cannot write '" + folder_.File("a.exr") + "': ";
   EXPECT_EQ(Refusal({}), front + "it would have no layers");
-  EXPECT_EQ(Refusal(std::vector<Layer>{{{"Z"}, &a}, {{"Q"}, &b}}), front + "its layers differ in size: 5x3 and 6x3 (Q)");
+  EXPECT_EQ(Refusal(std::vector<Layer>{{{"Z"}, &a}, {{"Q"}, &b}}),
+            front + "its layers differ in size: 5x3 and 6x3 (Q)");
   EXPECT_EQ(Refusal(std::vector<Layer>{{{"Z", "Q"}, &a}}), front + "2 channel names (Z, Q) for an image of 1 channels");
   EXPECT_EQ(Refusal(std::vector<Layer>{{{"Z"}, &a}, {{"Z"}, &a}}), front + "two of its channels are named 'Z'");
   EXPECT_THAT(folder_.Names(), IsEmpty());

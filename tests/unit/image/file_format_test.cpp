@@ -27,25 +27,30 @@ TEST(FileFormat, TakesWhatEachFormatHolds) {
 }
 
 TEST(FileFormat, NamesTheAlternatives) {
-  EXPECT_EQ(Refusal("a.png", SampleType::kF16, 4),
-            "cannot write 'a.png': PNG has no half-float samples; floating-point samples go into .exr, .tif or .hdr, exact "
-            "ids into .exr");
-  EXPECT_EQ(Refusal("a.jpg", SampleType::kU16, 3),
-            "cannot write 'a.jpg': JPEG has no 16-bit samples; 16-bit samples go into .png or .tif, floating-point ones into "
-            ".exr, .tif or .hdr, exact ids into .exr");
-  EXPECT_EQ(Refusal("a.exr", SampleType::kU8, 3),
-            "cannot write 'a.exr': OpenEXR has no 8-bit samples; 8- and 16-bit samples go into .png or .tif, exact ids into "
-            ".exr");
+  EXPECT_EQ(
+      Refusal("a.png", SampleType::kF16, 4),
+      "cannot write 'a.png': PNG has no half-float samples; floating-point samples go into .exr, .tif or .hdr, exact "
+      "ids into .exr");
+  EXPECT_EQ(
+      Refusal("a.jpg", SampleType::kU16, 3),
+      "cannot write 'a.jpg': JPEG has no 16-bit samples; 16-bit samples go into .png or .tif, floating-point ones into "
+      ".exr, .tif or .hdr, exact ids into .exr");
+  EXPECT_EQ(
+      Refusal("a.exr", SampleType::kU8, 3),
+      "cannot write 'a.exr': OpenEXR has no 8-bit samples; 8- and 16-bit samples go into .png or .tif, exact ids into "
+      ".exr");
   EXPECT_EQ(Refusal("a.tif", SampleType::kU32, 1),
             "cannot write 'a.tif': TIFF has no 32-bit integer samples; exact 32-bit ids go into .exr");
 }
 
 TEST(FileFormat, RefusesUnknownExtensions) {
-  EXPECT_EQ(Refusal("a.gif", SampleType::kU8, 3),
-            "cannot write 'a.gif': '.gif' is no image format that burin writes; images are written as .png, .jpg, .tif, .exr "
-            "or .hdr");
+  EXPECT_EQ(
+      Refusal("a.gif", SampleType::kU8, 3),
+      "cannot write 'a.gif': '.gif' is no image format that burin writes; images are written as .png, .jpg, .tif, .exr "
+      "or .hdr");
   EXPECT_EQ(Refusal("frame", SampleType::kU8, 3),
-            "cannot write 'frame': it has no extension to choose a format by; images are written as .png, .jpg, .tif, .exr or "
+            "cannot write 'frame': it has no extension to choose a format by; images are written as .png, .jpg, .tif, "
+            ".exr or "
             ".hdr");
   EXPECT_EQ(Refusal("a.png", SampleType::kU8, 5),
             "cannot write 'a.png': it would have 5 channels, an image has 1 to 4; more go into .exr as layers");

@@ -100,8 +100,9 @@ TEST_F(ImageFiles, LosslessFormatsComeBackBitForBit) {
     for (const int channels : {1, 2, 3, 4}) {
       const Image image = Random(37, 21, channels, c.type);
       const std::string name = std::string("a.") + c.extension;
-      ExpectSame(RoundTrip(name, image), image,
-                 name + " of type " + std::to_string(static_cast<int>(c.type)) + " and channels " + std::to_string(channels));
+      ExpectSame(
+          RoundTrip(name, image), image,
+          name + " of type " + std::to_string(static_cast<int>(c.type)) + " and channels " + std::to_string(channels));
     }
   }
 }
@@ -134,7 +135,7 @@ TEST_F(ImageFiles, JpegDropsAlphaAndStaysNear) {
   const Image read = RoundTrip("a.jpg", image);
   ASSERT_EQ(read.channels, 3);
   const Image expected = ToChannels(image, 3);
-  constexpr int kJpegError = 6;   // of smooth pictures at quality 95
+  constexpr int kJpegError = 6;  // of smooth pictures at quality 95
   for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
     ASSERT_NEAR(read.As<std::uint8_t>()[i], expected.As<std::uint8_t>()[i], kJpegError) << i;
   }
@@ -144,7 +145,8 @@ TEST_F(ImageFiles, JpegQualityIsUsed) {
   const Image image = Random(64, 64, 3, SampleType::kU8);
   ASSERT_TRUE(module_->Write(folder_.File("good.jpg"), image, {.jpeg_quality = 95, .metadata = {}}).has_value());
   ASSERT_TRUE(module_->Write(folder_.File("bad.jpg"), image, {.jpeg_quality = 20, .metadata = {}}).has_value());
-  EXPECT_GT(test::ReadAllBytes(folder_.File("good.jpg")).size(), 2 * test::ReadAllBytes(folder_.File("bad.jpg")).size());
+  EXPECT_GT(test::ReadAllBytes(folder_.File("good.jpg")).size(),
+            2 * test::ReadAllBytes(folder_.File("bad.jpg")).size());
 }
 
 TEST_F(ImageFiles, RadianceStaysWithinItsPrecision) {
@@ -158,7 +160,7 @@ TEST_F(ImageFiles, RadianceStaysWithinItsPrecision) {
     const auto rgb = expected.As<float>().subspan(i, 3);
     const float largest = std::max({rgb[0], rgb[1], rgb[2]});
     for (std::size_t c = 0; c < 3; ++c) {
-      ASSERT_NEAR(read.As<float>()[i + c], rgb[c], largest / 100.0F) << i;   // an 8-bit mantissa shared by three
+      ASSERT_NEAR(read.As<float>()[i + c], rgb[c], largest / 100.0F) << i;  // an 8-bit mantissa shared by three
     }
   }
 }
@@ -214,7 +216,7 @@ TEST_F(ImageFiles, UnwritableFolderIsAnErrorAndLeavesNothing) {
 
 // A limit on file sizes stands for a full disk. In a child process: limits can't be raised again.
 TEST_F(ImageFiles, FullDiskIsAnErrorAndLeavesNothing) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");   // OpenImageIO's threads don't live through a fork
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // OpenImageIO's threads don't live through a fork
   for (const char* name : {"a.png", "a.tif", "a.jpg", "b.exr", "b.hdr"}) {
     const Image image = Random(256, 256, 3, name[0] == 'b' ? SampleType::kF32 : SampleType::kU8);
     const std::string path = folder_.File(name);
@@ -225,7 +227,7 @@ TEST_F(ImageFiles, FullDiskIsAnErrorAndLeavesNothing) {
       const Result<void> written = module_->Write(path, image, {});
       const bool refused = !written && written.error().message == "cannot write '" + path + "': File too large";
       const bool nothing_left = folder_.Names().empty();
-      std::filesystem::remove_all(folder_.path());   // the child's own
+      std::filesystem::remove_all(folder_.path());  // the child's own
       _exit(refused && nothing_left ? 0 : 1);
     };
     EXPECT_EXIT(write_with_limit(), testing::ExitedWithCode(0), "") << name;
@@ -233,7 +235,8 @@ TEST_F(ImageFiles, FullDiskIsAnErrorAndLeavesNothing) {
 }
 
 TEST_F(ImageFiles, RefusesWhatTheFormatLacks) {
-  EXPECT_EQ(module_->Write(folder_.File("a.png"), Random(2, 2, 3, SampleType::kF32), {}).error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(module_->Write(folder_.File("a.png"), Random(2, 2, 3, SampleType::kF32), {}).error().kind,
+            ErrorKind::kUsage);
   EXPECT_EQ(module_->CanWrite("a.exr", SampleType::kU8, 3).error().kind, ErrorKind::kUsage);
   EXPECT_THAT(folder_.Names(), IsEmpty());
 }
@@ -277,11 +280,13 @@ TEST_F(ImageFiles, TruncatedFilesAreErrorsAtAnyLength) {
 }
 
 TEST_F(ImageFiles, NamesWhatIsNoFile) {
-  EXPECT_EQ(ReadError(folder_.File("none.png")), "cannot read '" + folder_.File("none.png") + "': No such file or directory");
+  EXPECT_EQ(ReadError(folder_.File("none.png")),
+            "cannot read '" + folder_.File("none.png") + "': No such file or directory");
   EXPECT_EQ(ReadError(folder_.path()), "cannot read '" + folder_.path() + "': it is a folder");
   EXPECT_EQ(ReadError("/dev/null"), "cannot read '/dev/null': it is not a regular file");
   test::WriteText(folder_.File("a.txt"), "text");
-  EXPECT_EQ(ReadError(folder_.File("a.txt")), "cannot read '" + folder_.File("a.txt") + "': it is in no image format that is known");
+  EXPECT_EQ(ReadError(folder_.File("a.txt")),
+            "cannot read '" + folder_.File("a.txt") + "': it is in no image format that is known");
 }
 
 TEST_F(ImageFiles, ContentDecidesNotTheExtension) {
@@ -311,7 +316,8 @@ class TiffFiles : public ImageFiles {
 };
 
 TEST_F(TiffFiles, OrientationIsHonoured) {
-  const auto image = ReadTiff({.width = 2, .height = 3, .photometric = 1, .channels = 1, .orientation = 6}, Bytes({3, 6, 2, 5, 1, 4}));
+  const auto image =
+      ReadTiff({.width = 2, .height = 3, .photometric = 1, .channels = 1, .orientation = 6}, Bytes({3, 6, 2, 5, 1, 4}));
   ASSERT_TRUE(image.has_value()) << image.error().message;
   EXPECT_EQ(image->width, 3);
   EXPECT_EQ(image->height, 2);
@@ -366,7 +372,8 @@ TEST_F(ImageFiles, SharedPicturesAreRead) {
     int width, height, channels;
     SampleType type;
   };
-  for (const Case& c : {Case{"images/astronaut.png", 512, 512, 3, SampleType::kU8}, Case{"images/chelsea.png", 451, 300, 3, SampleType::kU8},
+  for (const Case& c : {Case{"images/astronaut.png", 512, 512, 3, SampleType::kU8},
+                        Case{"images/chelsea.png", 451, 300, 3, SampleType::kU8},
                         Case{"images/tahoe-small.tif", 512, 384, 3, SampleType::kU8},
                         Case{"images/grid-small.exr", 256, 256, 4, SampleType::kF16},
                         Case{"images/with_nans.tif", 256, 256, 3, SampleType::kF32},

@@ -58,7 +58,8 @@ Bytes Png(std::initializer_list<std::string_view> types) {
 }
 
 TEST(PngStream, KeepsThePicturesChunksOnly) {
-  const auto picture = PngPicture(Png({"IHDR", "iCCP", "PLTE", "tEXt", "tRNS", "IDAT", "IDAT", "tIME", "eXIf", "IEND"}));
+  const auto picture =
+      PngPicture(Png({"IHDR", "iCCP", "PLTE", "tEXt", "tRNS", "IDAT", "IDAT", "tIME", "eXIf", "IEND"}));
   ASSERT_TRUE(picture.has_value()) << picture.error();
   EXPECT_EQ(*picture, Png({"IHDR", "PLTE", "tRNS", "IDAT", "IDAT", "eXIf", "IEND"}));
 }

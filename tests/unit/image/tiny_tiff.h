@@ -15,12 +15,12 @@ namespace burin::test {
 struct TinyTiff {
   std::uint32_t width = 1;
   std::uint32_t height = 1;
-  std::uint32_t photometric = 2;     ///< 1 grey, 2 RGB, 5 CMYK, 8 CIELab
+  std::uint32_t photometric = 2;  ///< 1 grey, 2 RGB, 5 CMYK, 8 CIELab
   std::uint32_t channels = 3;
   std::uint32_t bits = 8;
-  std::uint32_t sample_format = 1;   ///< 1 unsigned, 2 signed, 3 float
+  std::uint32_t sample_format = 1;  ///< 1 unsigned, 2 signed, 3 float
   std::uint32_t orientation = 1;
-  int extra_samples = -1;            ///< of the fourth channel: 1 associated alpha, 2 unassociated
+  int extra_samples = -1;  ///< of the fourth channel: 1 associated alpha, 2 unassociated
   bool date = false;
 };
 
@@ -53,7 +53,7 @@ inline std::vector<std::byte> MakeTiff(const TinyTiff& tiff, std::span<const std
   const auto put = [&file](std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) file.push_back(static_cast<std::byte>(value >> (8 * i)));
   };
-  put(0x002A4949, 4);   // "II", 42
+  put(0x002A4949, 4);  // "II", 42
   put(directory_at, 4);
   file.insert(file.end(), pixels.begin(), pixels.end());
   for (std::uint32_t i = 0; i < tiff.channels; ++i) put(tiff.bits, 2);

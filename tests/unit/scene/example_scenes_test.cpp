@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The committed scenes are what their scripts make, and they hold what the documentation says.
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "core/scene/camera.h"
@@ -56,16 +57,18 @@ TEST(ExampleScenes, WalkInALoopOfTwoSeconds) {
     return all;
   };
   const std::vector<glm::vec3> start = positions(0.0);
+  const std::vector<glm::vec3> quarter = positions(0.25);
   const std::vector<glm::vec3> end = positions(1.9999);
-  ASSERT_EQ(start.size(), end.size());
   ASSERT_FALSE(start.empty());
+  ASSERT_EQ(start.size(), end.size());
+  float gap = 0.0f;
   float moved = 0.0f;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    EXPECT_LT(glm::distance(start[i], end[i]), 2e-3f) << "the end meets the start";
-    moved = std::max(moved, glm::distance(start[i], positions(0.25)[i]));
-    if (i > 50) break;
+    gap = std::max(gap, glm::distance(start[i], end[i]));
+    moved = std::max(moved, glm::distance(start[i], quarter[i]));
   }
-  EXPECT_GT(moved, 0.1f);
+  EXPECT_LT(gap, 2e-3f) << "the end meets the start";
+  EXPECT_GT(moved, 0.1f) << "and a hand or a foot goes somewhere";
 }
 
 }  // namespace

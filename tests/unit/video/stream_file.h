@@ -23,7 +23,8 @@ class StreamFile {
     unlink(pattern.c_str());
   }
   explicit StreamFile(std::string_view content) : StreamFile() {
-    if (::write(descriptor_, content.data(), content.size()) != static_cast<ssize_t>(content.size())) std::perror("write");
+    if (::write(descriptor_, content.data(), content.size()) != static_cast<ssize_t>(content.size()))
+      std::perror("write");
     Rewind();
   }
   ~StreamFile() { close(descriptor_); }

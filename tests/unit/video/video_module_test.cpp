@@ -32,7 +32,8 @@ class Videos : public testing::Test {
     module_ = *module;
   }
 
-  void WriteVideo(const std::string& name, int frames, int width = 64, int height = 48, FrameRate rate = {24000, 1001}) {
+  void WriteVideo(const std::string& name, int frames, int width = 64, int height = 48,
+                  FrameRate rate = {24000, 1001}) {
     auto writer = module_->OpenWriter(folder_.File(name), {width, height, rate, Chroma::k420});
     ASSERT_TRUE(writer.has_value()) << writer.error().message;
     for (int i = 0; i < frames; ++i) ASSERT_TRUE((*writer)->Write(SmoothFrame(width, height, i)).has_value());
@@ -66,7 +67,8 @@ class Videos : public testing::Test {
 
   void Cut(const std::string& name, double part) {
     const auto bytes = test::ReadAllBytes(folder_.File(name));
-    test::WriteAllBytes(folder_.File(name), std::span(bytes).first(static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
+    test::WriteAllBytes(folder_.File(name),
+                        std::span(bytes).first(static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
   }
 
   Error OpenError(const std::string& path, int width, int height) {
@@ -102,13 +104,14 @@ TEST_F(Videos, Ffv1IsLossless) {
     EXPECT_EQ(read.info.frame_count, 5) << name;
     ASSERT_EQ(read.frames.size(), 5U) << name;
     for (int i = 0; i < 5; ++i) {
-      EXPECT_TRUE(read.frames[static_cast<std::size_t>(i)].pixels == SmoothFrame(64, 48, i).pixels) << name << " frame " << i;
+      EXPECT_TRUE(read.frames[static_cast<std::size_t>(i)].pixels == SmoothFrame(64, 48, i).pixels)
+          << name << " frame " << i;
     }
   }
 }
 
 TEST_F(Videos, LossyFormatsStayNearAndKeepEveryFrame) {
-  constexpr int kLossy = 12;   // of smooth pictures
+  constexpr int kLossy = 12;  // of smooth pictures
   for (const char* name : {"a.mp4", "a.mov", "a.m4v", "a.webm"}) {
     WriteVideo(name, 12);
     const Frames read = ReadVideo(folder_.File(name));
@@ -129,9 +132,10 @@ TEST_F(Videos, LossyFormatsStayNearAndKeepEveryFrame) {
 TEST_F(Videos, WritingTwiceGivesTheSameBytes) {
   for (const std::string extension : {".mkv", ".avi", ".mp4", ".mov", ".webm"}) {
     WriteVideo("a" + extension, 4);
-    usleep(1'100'000);   // a clock time would differ
+    usleep(1'100'000);  // a clock time would differ
     WriteVideo("b" + extension, 4);
-    EXPECT_TRUE(test::ReadAllBytes(folder_.File("a" + extension)) == test::ReadAllBytes(folder_.File("b" + extension))) << extension;
+    EXPECT_TRUE(test::ReadAllBytes(folder_.File("a" + extension)) == test::ReadAllBytes(folder_.File("b" + extension)))
+        << extension;
   }
 }
 
@@ -140,7 +144,10 @@ TEST_F(Videos, MatroskaChecksumsHold) {
   for (const char* name : {"a.mkv", "a.webm"}) {
     WriteVideo(name, 4);
     const std::string log = folder_.File("log");
-    ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -err_detect crccheck+explode -i " + folder_.File(name) + " -f null - 2>" + log).c_str()), 0);
+    ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -err_detect crccheck+explode -i " + folder_.File(name) +
+                           " -f null - 2>" + log)
+                              .c_str()),
+              0);
     EXPECT_TRUE(test::ReadAllBytes(log).empty()) << name;
   }
   const auto webm = test::ReadAllBytes(folder_.File("a.webm"));
@@ -151,9 +158,10 @@ TEST_F(Videos, OddSizesAreRefusedWithAlternatives) {
   for (const char* name : {"a.mkv", "a.mp4"}) {
     const Error error = OpenError(folder_.File(name), 65, 48);
     EXPECT_EQ(error.kind, ErrorKind::kUsage);
-    EXPECT_EQ(error.message, "cannot write '" + folder_.File(name) +
-                                 "': OpenCV writes videos of even width and height only, not 65x48; choose an even --size, write "
-                                 "an image sequence (name.####.png), or y4m to - and pipe it into ffmpeg");
+    EXPECT_EQ(error.message,
+              "cannot write '" + folder_.File(name) +
+                  "': OpenCV writes videos of even width and height only, not 65x48; choose an even --size, write "
+                  "an image sequence (name.####.png), or y4m to - and pipe it into ffmpeg");
   }
   EXPECT_THAT(folder_.Names(), IsEmpty());
 }
@@ -162,7 +170,8 @@ TEST_F(Videos, UnknownContainersAreRefusedWithAlternatives) {
   const Error error = OpenError("a.mpg", 64, 48);
   EXPECT_EQ(error.kind, ErrorKind::kUsage);
   EXPECT_EQ(error.message,
-            "cannot write 'a.mpg': videos are written as .mkv or .avi (FFV1, lossless), .mp4 or .mov (H.264) and .webm (VP9); for "
+            "cannot write 'a.mpg': videos are written as .mkv or .avi (FFV1, lossless), .mp4 or .mov (H.264) and .webm "
+            "(VP9); for "
             "others write y4m to - and pipe it into ffmpeg");
 }
 
@@ -195,7 +204,7 @@ TEST_F(Videos, UnfinishedFilesDisappear) {
 }
 
 TEST_F(Videos, FullDiskIsAnErrorAndLeavesNothing) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");   // OpenCV's threads don't live through a fork
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // OpenCV's threads don't live through a fork
   for (const char* name : {"a.mkv", "a.avi", "a.mp4"}) {
     const auto write_with_limit = [&] {
       signal(SIGXFSZ, SIG_IGN);
@@ -206,14 +215,15 @@ TEST_F(Videos, FullDiskIsAnErrorAndLeavesNothing) {
         Image noise = SmoothFrame(256, 256, 0);
         std::uint32_t state = 1;
         for (int i = 0; i < 20; ++i) {
-          for (std::uint8_t& v : noise.As<std::uint8_t>()) v = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
+          for (std::uint8_t& v : noise.As<std::uint8_t>())
+            v = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
           static_cast<void>((*writer)->Write(noise));
         }
         if (const auto finished = (*writer)->Finish(); !finished) error = finished.error().message;
       }
       const bool refused = error.starts_with("cannot write '" + folder_.File(name) + "': ");
       const bool nothing_left = folder_.Names().empty();
-      std::filesystem::remove_all(folder_.path());   // the child's own
+      std::filesystem::remove_all(folder_.path());  // the child's own
       _exit(refused && nothing_left ? 0 : 1);
     };
     EXPECT_EXIT(write_with_limit(), testing::ExitedWithCode(0), "") << name;
@@ -231,7 +241,7 @@ TEST_F(Videos, TruncatedFilesNameTheFrame) {
                                        std::to_string(read.frames.size()) + ", but says that it has 30"));
   }
   WriteVideo("a.mp4", 30);
-  Cut("a.mp4", 0.3);   // its index is at the end
+  Cut("a.mp4", 0.3);  // its index is at the end
   EXPECT_EQ(ReadVideo(folder_.File("a.mp4")).error,
             "cannot read '" + folder_.File("a.mp4") + "': it is no whole video (moov atom not found)");
 }
@@ -256,8 +266,10 @@ TEST_F(Videos, ColonInANameIsNoProtocol) {
 TEST_F(Videos, RotationIsHonoured) {
   if (!test::HasFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   WriteVideo("a.mp4", 3);
-  ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -y -i " + folder_.File("a.mp4") + " -c copy -metadata:s:v:0 rotate=90 " +
-                         folder_.File("r.mp4")).c_str()), 0);
+  ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -y -i " + folder_.File("a.mp4") +
+                         " -c copy -metadata:s:v:0 rotate=90 " + folder_.File("r.mp4"))
+                            .c_str()),
+            0);
   const Frames read = ReadVideo(folder_.File("r.mp4"));
   EXPECT_EQ(read.info.width, 48);
   EXPECT_EQ(read.info.height, 64);
@@ -267,7 +279,11 @@ TEST_F(Videos, RotationIsHonoured) {
 
 TEST_F(Videos, OddSizesAreRead) {
   if (!test::HasFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-  ASSERT_EQ(std::system(("ffmpeg -nostdin -v error -y -f lavfi -i color=red:s=40x30:d=0.2,format=bgr0,crop=33:21 -c:v ffv1 " + folder_.File("odd.mkv")).c_str()), 0);
+  ASSERT_EQ(
+      std::system(("ffmpeg -nostdin -v error -y -f lavfi -i color=red:s=40x30:d=0.2,format=bgr0,crop=33:21 -c:v ffv1 " +
+                   folder_.File("odd.mkv"))
+                      .c_str()),
+      0);
   const Frames read = ReadVideo(folder_.File("odd.mkv"));
   EXPECT_EQ(read.error, "");
   ASSERT_FALSE(read.frames.empty());

@@ -80,7 +80,8 @@ TEST(Y4mHeader, UnknownRateIsTwentyFive) {
 
 TEST(Y4mHeader, RefusesWhatItIsNot) {
   EXPECT_EQ(HeaderError(""), "cannot read '-': it is empty, not a YUV4MPEG2 stream");
-  EXPECT_EQ(HeaderError("RIFF\x01\x02 garbage\n"), "cannot read '-': it is no YUV4MPEG2 stream: it begins with 'RIFF?? garbage'");
+  EXPECT_EQ(HeaderError("RIFF\x01\x02 garbage\n"),
+            "cannot read '-': it is no YUV4MPEG2 stream: it begins with 'RIFF?? garbage'");
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2"), "cannot read '-': the stream breaks off in its header");
   EXPECT_EQ(HeaderError("YUV4MPEG2 H2\n"), "cannot read '-': its header has no width");
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2\n"), "cannot read '-': its header has no height");
@@ -90,18 +91,24 @@ TEST(Y4mHeader, RefusesWhatItIsNot) {
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2147483647 H2147483647\n"),
             "cannot read '-': its size 2147483647x2147483647 is over 268435456 pixels");
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2 F25\n"), "cannot read '-': its frame rate 'F25' is no ratio like F30000:1001");
-  EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2 F25:0\n"), "cannot read '-': its frame rate 'F25:0' is no ratio like F30000:1001");
+  EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2 F25:0\n"),
+            "cannot read '-': its frame rate 'F25:0' is no ratio like F30000:1001");
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2 Ix\n"), "cannot read '-': its interlacing 'Ix' is none of Ip, It, Ib, Im");
   EXPECT_EQ(HeaderError("YUV4MPEG2 W2 H2 C420p10 XYSCSS=420P10\n"),
-            "cannot read '-': its colour space 'C420p10' is not read; 8-bit C420, C422, C444 and Cmono are (ffmpeg's -pix_fmt "
+            "cannot read '-': its colour space 'C420p10' is not read; 8-bit C420, C422, C444 and Cmono are (ffmpeg's "
+            "-pix_fmt "
             "yuv420p, yuv422p, yuv444p, gray)");
-  EXPECT_EQ(HeaderError("YUV4MPEG2 " + std::string(5000, 'X')), "cannot read '-': its header is longer than 4096 bytes");
+  EXPECT_EQ(HeaderError("YUV4MPEG2 " + std::string(5000, 'X')),
+            "cannot read '-': its header is longer than 4096 bytes");
 }
 
 // Values of BT.601-7: black Y 16, white 235, and 8-bit red as (81, 90, 240).
 TEST(Y4mReader, LimitedRangeFollowsBt601) {
   const std::string header = "YUV4MPEG2 W3 H1 F25:1 C444\nFRAME\n";
-  const std::string planes = "\x10\xEB\x51" "\x80\x80\x5A" "\x80\x80\xF0";
+  const std::string planes =
+      "\x10\xEB\x51"
+      "\x80\x80\x5A"
+      "\x80\x80\xF0";
   EXPECT_THAT(FirstFrame(header + planes), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255, 254, 0, 0, 255));
 }
 
@@ -112,7 +119,8 @@ TEST(Y4mReader, FullRangeFollowsJfif) {
 }
 
 TEST(Y4mReader, MonoIsGrey) {
-  EXPECT_THAT(FirstFrame("YUV4MPEG2 W2 H1 F25:1 Cmono\nFRAME\n\x10\xEB"), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
+  EXPECT_THAT(FirstFrame("YUV4MPEG2 W2 H1 F25:1 Cmono\nFRAME\n\x10\xEB"),
+              ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
 }
 
 TEST(Y4mReader, AlphaPlaneIsSkipped) {
@@ -123,7 +131,7 @@ TEST(Y4mReader, AlphaPlaneIsSkipped) {
 // Which chroma row colours a picture row: progressive pairs rows, interlaced pairs every other one.
 TEST(Y4mReader, InterlacedChromaBelongsToItsField) {
   const std::string luma(4, '\x80');
-  const std::string planes = luma + "\x80\x80" + "\x80\xF0";   // second chroma row is red
+  const std::string planes = luma + "\x80\x80" + "\x80\xF0";  // second chroma row is red
   const auto red_rows = [&](const std::string& header, const std::string& frame) {
     const auto samples = FirstFrame("YUV4MPEG2 W1 H4 F25:1 C420jpeg " + header + "\n" + frame + "\n" + planes);
     std::vector<int> rows;
@@ -137,8 +145,14 @@ TEST(Y4mReader, InterlacedChromaBelongsToItsField) {
 }
 
 TEST(Y4mReader, SubsampledChromaCoversItsPixels) {
-  for (const auto& [tag, planes] : {std::pair<std::string, std::string>{"411", "\x80\x80\x80\x80\x80" "\x80\x80" "\xF0\x80"},
-                                    {"422", "\x80\x80\x80\x80\x80" "\x80\x80\x80" "\xF0\xF0\x80"}}) {
+  for (const auto& [tag, planes] : {std::pair<std::string, std::string>{"411",
+                                                                        "\x80\x80\x80\x80\x80"
+                                                                        "\x80\x80"
+                                                                        "\xF0\x80"},
+                                    {"422",
+                                     "\x80\x80\x80\x80\x80"
+                                     "\x80\x80\x80"
+                                     "\xF0\xF0\x80"}}) {
     const auto samples = FirstFrame("YUV4MPEG2 W5 H1 F25:1 C" + tag + "\nFRAME\n" + planes);
     for (std::size_t x = 0; x < 5; ++x) EXPECT_EQ(samples[4 * x] > 200, x < 4) << tag << " " << x;
   }
@@ -159,7 +173,8 @@ TEST(Y4mReader, NamesTheFrameThatBreaksOff) {
 
 // 16384 x 16384 would be 400 MB of planes and 1 GB of pixels; nothing of that may be set aside for 60 bytes.
 TEST(Y4mReader, BelievesAHugeSizeOnlyAsDataArrives) {
-  EXPECT_EQ(FrameError("YUV4MPEG2 W16384 H16384 F25:1\nFRAME\nshort"), "cannot read 'clip.y4m': the stream breaks off in frame 1");
+  EXPECT_EQ(FrameError("YUV4MPEG2 W16384 H16384 F25:1\nFRAME\nshort"),
+            "cannot read 'clip.y4m': the stream breaks off in frame 1");
 }
 
 TEST(Y4mReader, ReadsFromAPipeAsItComes) {
@@ -170,7 +185,7 @@ TEST(Y4mReader, ReadsFromAPipeAsItComes) {
   const auto reader = OpenY4mReader(ends[0], "-");
   ASSERT_TRUE(reader.has_value());
   Image frame;
-  EXPECT_TRUE((*reader)->Next(frame).value_or(false));   // before the second frame's data is there
+  EXPECT_TRUE((*reader)->Next(frame).value_or(false));  // before the second frame's data is there
   ASSERT_EQ(write(ends[1], "YYYYUV", 6), 6);
   EXPECT_TRUE((*reader)->Next(frame).value_or(false));
   close(ends[1]);
@@ -185,7 +200,7 @@ TEST(Y4mWriter, WritesHeaderAndPlanes) {
   const auto writer = OpenY4mWriter(file.descriptor(), "-", Options(1, 1, Chroma::k444));
   ASSERT_TRUE(writer.has_value());
   Image frame = image::MakeImage(1, 1, 4, image::SampleType::kU8, image::Encoding::kDisplay);
-  frame.As<std::uint8_t>()[0] = 255;   // red
+  frame.As<std::uint8_t>()[0] = 255;  // red
   ASSERT_TRUE((*writer)->Write(frame).has_value());
   ASSERT_TRUE((*writer)->Finish().has_value());
   EXPECT_EQ(file.Content(), "YUV4MPEG2 W1 H1 F24000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\nFRAME\n\x51\x5A\xF0");
@@ -195,7 +210,9 @@ TEST(Y4mWriter, TakesRgbToo) {
   Image rgb = image::ToChannels(test::SmoothFrame(6, 5, 1), 3);
   const StreamFile a, b;
   ASSERT_TRUE((*OpenY4mWriter(a.descriptor(), "-", Options(6, 5, Chroma::k420)))->Write(rgb).has_value());
-  ASSERT_TRUE((*OpenY4mWriter(b.descriptor(), "-", Options(6, 5, Chroma::k420)))->Write(test::SmoothFrame(6, 5, 1)).has_value());
+  ASSERT_TRUE((*OpenY4mWriter(b.descriptor(), "-", Options(6, 5, Chroma::k420)))
+                  ->Write(test::SmoothFrame(6, 5, 1))
+                  .has_value());
   EXPECT_EQ(a.Content(), b.Content());
 }
 
@@ -270,8 +287,10 @@ TEST(Y4m, AgreesWithFfmpeg) {
   const std::string quiet = "ffmpeg -nostdin -v error -y ";
   const std::string accurate = " -sws_flags accurate_rnd+full_chroma_int+full_chroma_inp ";
   ASSERT_EQ(std::system((quiet + raw + "-i " + folder.File("in.rgb") + accurate + "-pix_fmt yuv444p -f yuv4mpegpipe " +
-                         folder.File("theirs.y4m")).c_str()), 0);
-  constexpr int kTolerance = 2;   // of two roundings each way
+                         folder.File("theirs.y4m"))
+                            .c_str()),
+            0);
+  constexpr int kTolerance = 2;  // of two roundings each way
   const int theirs = open(folder.File("theirs.y4m").c_str(), O_RDONLY);
   Image read;
   ASSERT_TRUE((*OpenY4mReader(theirs, "theirs"))->Next(read).value_or(false));
@@ -279,7 +298,10 @@ TEST(Y4m, AgreesWithFfmpeg) {
   const int ours = open(folder.File("ours.y4m").c_str(), O_RDWR | O_CREAT, 0600);
   ASSERT_TRUE((*OpenY4mWriter(ours, "ours", Options(64, 48, Chroma::k444)))->Write(frame).has_value());
   close(ours);
-  ASSERT_EQ(std::system((quiet + "-i " + folder.File("ours.y4m") + accurate + "-f rawvideo -pix_fmt rgba " + folder.File("out.rgb")).c_str()), 0);
+  ASSERT_EQ(std::system((quiet + "-i " + folder.File("ours.y4m") + accurate + "-f rawvideo -pix_fmt rgba " +
+                         folder.File("out.rgb"))
+                            .c_str()),
+            0);
   const auto back = test::ReadAllBytes(folder.File("out.rgb"));
   ASSERT_EQ(back.size(), frame.pixels.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
