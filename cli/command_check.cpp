@@ -16,9 +16,12 @@ using Json = nlohmann::ordered_json;
 
 const char* SeverityName(fx::Severity severity) {
   switch (severity) {
-    case fx::Severity::kNote: return "note";
-    case fx::Severity::kWarning: return "warning";
-    case fx::Severity::kError: return "error";
+    case fx::Severity::kNote:
+      return "note";
+    case fx::Severity::kWarning:
+      return "warning";
+    case fx::Severity::kError:
+      return "error";
   }
   return "error";
 }
@@ -55,7 +58,8 @@ std::string Summary(const render::EffectFile& file) {
   const auto plural = [](int count, const char* what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
-  if (file.errors > 0) return fmt::format("{}: {}, {}\n", file.path, plural(file.errors, "error"), plural(file.warnings, "warning"));
+  if (file.errors > 0)
+    return fmt::format("{}: {}, {}\n", file.path, plural(file.errors, "error"), plural(file.warnings, "warning"));
   return file.warnings > 0 ? fmt::format("{}: good, {}\n", file.path, plural(file.warnings, "warning"))
                            : fmt::format("{}: good\n", file.path);
 }

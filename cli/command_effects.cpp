@@ -23,7 +23,8 @@ std::string Lines(const std::vector<render::ShippedEffect>& effects) {
   for (const render::ShippedEffect& effect : effects) column = std::max(column, effect.name.size());
   std::string text;
   for (const render::ShippedEffect& effect : effects) {
-    text += effect.purpose.empty() ? effect.name + "\n" : fmt::format("{:<{}}  {}\n", effect.name, column, effect.purpose);
+    text +=
+        effect.purpose.empty() ? effect.name + "\n" : fmt::format("{:<{}}  {}\n", effect.name, column, effect.purpose);
   }
   return text;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <fmt/format.h>
 
 #include "cli/command_table.h"
 #include "cli/console.h"
@@ -25,12 +25,14 @@ Result<render::Job> CompleteJob(const Settings& settings) {
   if (!inputs) return std::unexpected(inputs.error());
   job.effects = std::move(inputs->effects);
   job.source = std::move(inputs->source);
-  if (const char* config = std::getenv("OCIO"); job.color.config.empty() && config != nullptr) job.color.config = config;
+  if (const char* config = std::getenv("OCIO"); job.color.config.empty() && config != nullptr)
+    job.color.config = config;
   if (settings.progress_descriptor == STDOUT_FILENO && job.output == "-") {
     return Fail(ErrorKind::kUsage, "--progress-fd 1: stdout takes the video stream; expected another descriptor");
   }
   if (fcntl(settings.progress_descriptor, F_GETFD) == -1) {
-    return Fail(ErrorKind::kUsage, fmt::format("--progress-fd {}: {}", settings.progress_descriptor, std::strerror(errno)));
+    return Fail(ErrorKind::kUsage,
+                fmt::format("--progress-fd {}: {}", settings.progress_descriptor, std::strerror(errno)));
   }
   return job;
 }
@@ -49,9 +51,7 @@ int RunRender(const Settings& settings) {
   Result<void> result;
   int signal = 0;
   {
-    const SignalGuard guard([&progress] {
-      progress->Finished(Fail(ErrorKind::kFailed, "interrupted"), 0);
-    });
+    const SignalGuard guard([&progress] { progress->Finished(Fail(ErrorKind::kFailed, "interrupted"), 0); });
     result = render::Run(*job, *progress, guard.stop());
     signal = guard.signal();
   }

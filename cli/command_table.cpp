@@ -35,29 +35,35 @@ constexpr Example kHelpExamples[] = {{"burin help render", "everything about one
 constexpr Example kCompletionExamples[] = {{"source <(burin completion bash)", "in ~/.bashrc"}};
 
 constexpr CommandSpec kCommands[] = {
-    {"render", kRender, "[EFFECT.fx ...] [SOURCE] -o OUT", "Render a scene, or filter images and video, through effects",
+    {"render", kRender, "[EFFECT.fx ...] [SOURCE] -o OUT",
+     "Render a scene, or filter images and video, through effects",
      "Renders SOURCE through the effects and writes the result. SOURCE is a scene (.gltf, .glb), an image, an image "
-     "sequence (in.####.png), a video, or - for a YUV4MPEG2 stream on stdin; some effects need none. An effect is a file "
+     "sequence (in.####.png), a video, or - for a YUV4MPEG2 stream on stdin; some effects need none. An effect is a "
+     "file "
      "or the name of a shipped one (burin effects). Several form a chain: each one's result is the next one's color. "
      "With no effect the colour of the source is the frame.\n"
      "Files appear whole or not at all; two runs write identical bytes; a frame on its own has the same bits as in a "
      "full run. When OUT is - every message goes to stderr.",
      kRenderExamples, RunRender},
     {"check", kCheck, "EFFECT.fx ...", "Compile effect files and print what is wrong with them",
-     "Preprocesses, parses and compiles everything in each file, and prints errors and warnings as a compiler does. The "
+     "Preprocesses, parses and compiles everything in each file, and prints errors and warnings as a compiler does. "
+     "The "
      "exit status is 0 when there are no errors, else 3. No GL device is needed.",
      kCheckExamples, RunCheck},
     {"info", kInfo, "FILE ...", "Show what an effect declares, or what a scene, image or video holds",
-     "For an effect: its parameters, G-buffer attributes with formats and sizes, passes, the data flow between them, the "
+     "For an effect: its parameters, G-buffer attributes with formats and sizes, passes, the data flow between them, "
+     "the "
      "technique that is used and why others are not. For a scene: meshes, materials, cameras, lights, animations. For "
      "images and videos: size, format and rate.",
      kInfoExamples, RunInfo},
     {"effects", kEffects, "[WORD ...]", "List the shipped effects, a line each",
-     "Prints the name and purpose of each shipped effect, or of those whose name or purpose holds every WORD. The name is "
+     "Prints the name and purpose of each shipped effect, or of those whose name or purpose holds every WORD. The name "
+     "is "
      "what burin render takes.",
      kEffectsExamples, RunEffects},
     {"version", kVersion, "", "Show versions; with --verbose those of the libraries and the GL device",
-     "Prints the version. With --verbose also those of the libraries, the GL device that --device gives, and the devices "
+     "Prints the version. With --verbose also those of the libraries, the GL device that --device gives, and the "
+     "devices "
      "that it can name.",
      kVersionExamples, RunVersion},
     {"help", kHelp, "[COMMAND]", "Show help about a command", "Shows the help of COMMAND, or the list of commands.",

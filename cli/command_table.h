@@ -18,11 +18,11 @@ struct Example {
 struct CommandSpec {
   std::string_view name;
   CommandBit bit;
-  std::string_view arguments;            ///< as the usage line shows them: "[EFFECT.fx ...] [SOURCE] -o OUT"
-  std::string_view summary;              ///< one line, for the list of commands
-  std::string_view description;          ///< paragraphs, separated by '\n', wrapped where they are shown
+  std::string_view arguments;    ///< as the usage line shows them: "[EFFECT.fx ...] [SOURCE] -o OUT"
+  std::string_view summary;      ///< one line, for the list of commands
+  std::string_view description;  ///< paragraphs, separated by '\n', wrapped where they are shown
   std::span<const Example> examples;
-  int (*run)(const Settings&);           ///< the exit status
+  int (*run)(const Settings&);  ///< the exit status
 };
 
 [[nodiscard]] std::span<const CommandSpec> CommandTable();

@@ -35,11 +35,12 @@ std::string BashCompletion() {
   std::string value_cases;
   for (const OptionSpec& spec : OptionTable()) {
     if (spec.value.empty()) continue;
-    const std::string names = spec.letter != 0 ? fmt::format("--{}|-{}", spec.name, spec.letter)
-                                               : fmt::format("--{}", spec.name);
+    const std::string names =
+        spec.letter != 0 ? fmt::format("--{}|-{}", spec.name, spec.letter) : fmt::format("--{}", spec.name);
     std::string choices(spec.choices);
     std::ranges::replace(choices, '|', ' ');
-    const std::string reply = !choices.empty() ? fmt::format("mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$word\")", choices)
+    const std::string reply = !choices.empty()
+                                  ? fmt::format("mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$word\")", choices)
                               : IsFolder(spec) ? "mapfile -t COMPREPLY < <(compgen -d -- \"$word\")"
                               : IsFile(spec)   ? "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")"
                                                : "COMPREPLY=()";

@@ -24,8 +24,8 @@ bool IsSet(const char* name) {
 
 void PrintMessage(std::string_view color, std::string_view kind, std::string_view message) {
   const bool colored = UsesColor(STDERR_FILENO);
-  WriteText(STDERR_FILENO, fmt::format("burin: {}{}:{} {}\n", colored ? color : "", kind, colored ? "\x1b[0m" : "",
-                                       message));
+  WriteText(STDERR_FILENO,
+            fmt::format("burin: {}{}:{} {}\n", colored ? color : "", kind, colored ? "\x1b[0m" : "", message));
 }
 
 }  // namespace

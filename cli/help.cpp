@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kHelpColumn = 24;
 
 std::string OptionHeading(const OptionSpec& spec) {
-  std::string heading = spec.letter != 0 ? fmt::format("  -{}, --{}", spec.letter, spec.name)
-                                         : fmt::format("      --{}", spec.name);
+  std::string heading =
+      spec.letter != 0 ? fmt::format("  -{}, --{}", spec.letter, spec.name) : fmt::format("      --{}", spec.name);
   if (!spec.value.empty()) heading += fmt::format(" {}", spec.value);
   return heading;
 }
@@ -88,9 +88,9 @@ std::string OverviewText() {
 }
 
 std::string HelpText(const CommandSpec& command) {
-  std::string text = fmt::format("Usage: burin {} [OPTION ...]{}{}\n\n{}\n", command.name,
-                                 command.arguments.empty() ? "" : " ", command.arguments,
-                                 Wrapped(command.description, 0));
+  std::string text =
+      fmt::format("Usage: burin {} [OPTION ...]{}{}\n\n{}\n", command.name, command.arguments.empty() ? "" : " ",
+                  command.arguments, Wrapped(command.description, 0));
   for (const std::string_view group : Groups(command.bit)) {
     text += fmt::format("\n{}:\n", group);
     for (const OptionSpec& spec : OptionTable()) {

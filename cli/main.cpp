@@ -5,5 +5,6 @@
 #include "cli/run.h"
 
 int main(int argument_count, char** arguments) {
-  return burin::cli::Run(std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
+  return burin::cli::Run(
+      std::vector<std::string>(arguments + (argument_count > 0 ? 1 : 0), arguments + argument_count));
 }

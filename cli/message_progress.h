@@ -34,8 +34,8 @@ class MessageProgress : public render::Progress {
   virtual bool OnMessage(const char* /*level*/, const std::string& /*text*/) { return false; }
   virtual void OnFinished(const Result<void>&, long /*frames_done*/) {}
 
-  void Write(const std::string& text) const;   ///< to --progress-fd
-  [[nodiscard]] long total() const { return total_; }   ///< -1: not known
+  void Write(const std::string& text) const;           ///< to --progress-fd
+  [[nodiscard]] long total() const { return total_; }  ///< -1: not known
   [[nodiscard]] long done() const { return done_; }
 
  private:

@@ -66,9 +66,7 @@ Result<void> StoreProgress(Settings& settings, const std::string& value) {
 }
 
 Result<void> StoreLogLevel(Settings& settings, const std::string& value) {
-  settings.log_level = value == "error"     ? LogLevel::kError
-                       : value == "warning" ? LogLevel::kWarning
-                                            : LogLevel::kInfo;
+  settings.log_level = value == "error" ? LogLevel::kError : value == "warning" ? LogLevel::kWarning : LogLevel::kInfo;
   return {};
 }
 
@@ -87,11 +85,19 @@ constexpr unsigned kAny = ~0u;
 constexpr OptionSpec kTable[] = {
     {"output", 'o', "FILE", kRender, kOutput,
      "Where the result goes; the extension says what it is: .png .jpg .tif .exr ... for images, .mkv .avi (lossless "
-     "FFV1) .mp4 .mov (H.264) for video, .y4m or - (stdout) for a YUV4MPEG2 stream. A name for several images holds the "
+     "FFV1) .mp4 .mov (H.264) for video, .y4m or - (stdout) for a YUV4MPEG2 stream. A name for several images holds "
+     "the "
      "frame number: walk.####.png, walk.%04d.png or walk.{frame:04}.png.",
-     "", Repeat::kLast, [](Settings& s, const std::string& v) { s.job.output = v; return Result<void>(); }},
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.output = v;
+       return Result<void>();
+     }},
     {"mkdir", 0, "", kRender, kOutput, "Make the output's folder when it is not there.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.job.make_folders = true; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.job.make_folders = true;
+       return Result<void>();
+     }},
     {"size", 0, "WxH", kRender, kOutput,
      "Size of the frame in pixels. Otherwise that of the picture or video, and 1280x720 for a scene. Pictures are "
      "resized to it (bilinear).",
@@ -110,8 +116,10 @@ constexpr OptionSpec kTable[] = {
      "Chroma subsampling of y4m output. Otherwise that of a video source, and 444 for the rest.", "420|422|444",
      Repeat::kLast, StoreChroma},
     {"attributes", 0, "LIST", kRender, kOutput,
-     "Write these G-buffer attributes (color, normal, depth ...; burin-attributes(7)), separated by commas, as layers of "
-     "an EXR file, beside the frame when there is an effect. An output that is no EXR takes one attribute and no effect.",
+     "Write these G-buffer attributes (color, normal, depth ...; burin-attributes(7)), separated by commas, as layers "
+     "of "
+     "an EXR file, beside the frame when there is an effect. An output that is no EXR takes one attribute and no "
+     "effect.",
      "", Repeat::kLast, StoreAttributes},
 
     {"frames", 0, "LIST", kRender, kFrames,
@@ -120,14 +128,19 @@ constexpr OptionSpec kTable[] = {
      "frames, else frame 1.",
      "", Repeat::kLast, StoreFrames},
     {"fps", 0, "RATE", kRender, kFrames,
-     "Frames a second, such as 24, 23.976 or 30000/1001: frame n shows the time (n - 1) / RATE. Otherwise the source's, "
+     "Frames a second, such as 24, 23.976 or 30000/1001: frame n shows the time (n - 1) / RATE. Otherwise the "
+     "source's, "
      "and 24 where it has none.",
      "", Repeat::kLast, [](Settings& s, const std::string& v) { return Store(s.job.fps, ParseFrameRate(v)); }},
 
     {"camera", 0, "CAMERA", kRender, kScene,
      "Name or index of the scene's camera, or auto, which frames the whole scene. Otherwise the first camera, or auto "
      "where there is none.",
-     "", Repeat::kLast, [](Settings& s, const std::string& v) { s.job.camera = v; return Result<void>(); }},
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.camera = v;
+       return Result<void>();
+     }},
     {"orbit", 0, "DEGREES", kRender, kScene,
      "Turn the camera about the vertical axis through the scene's centre, the same for all frames.", "", Repeat::kLast,
      [](Settings& s, const std::string& v) { return Store(s.job.orbit_deg, ParseNumber("orbit", v)); }},
@@ -139,10 +152,18 @@ constexpr OptionSpec kTable[] = {
     {"animation", 0, "NAME", kRender, kScene,
      "Name or index of the animation that plays, all, none, or auto: every one whose targets no earlier one moves. "
      "Otherwise auto.",
-     "", Repeat::kLast, [](Settings& s, const std::string& v) { s.job.animation = v; return Result<void>(); }},
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.animation = v;
+       return Result<void>();
+     }},
     {"environment", 0, "FILE", kRender, kScene,
      "Equirectangular map (.hdr, .exr) that lights the scene. Otherwise a neutral one that is built in.", "",
-     Repeat::kLast, [](Settings& s, const std::string& v) { s.job.environment = v; return Result<void>(); }},
+     Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.environment = v;
+       return Result<void>();
+     }},
     {"background", 0, "COLOR", kRender, kScene,
      "Colour behind the scene: #RRGGBB or #RRGGBBAA (sRGB), R,G,B or R,G,B,A (scene-linear), black, white. Otherwise "
      "transparent.",
@@ -155,11 +176,17 @@ constexpr OptionSpec kTable[] = {
      [](Settings& s, const std::string& v) { return Append(s.job.parameters, ParseAssignment("param", v, nullptr)); }},
     {"technique", 0, "NAME", kRender | kInfo, kEffect,
      "Use this technique. Otherwise the first that this device can run.", "", Repeat::kLast,
-     [](Settings& s, const std::string& v) { s.job.technique = v; return Result<void>(); }},
+     [](Settings& s, const std::string& v) {
+       s.job.technique = v;
+       return Result<void>();
+     }},
     {"include", 'I', "FOLDER", kLanguage, kEffect,
      "Look for included files here too, after the including file's own folder. Can be given several times.", "",
      Repeat::kCollect,
-     [](Settings& s, const std::string& v) { s.job.include_folders.push_back(v); return Result<void>(); }},
+     [](Settings& s, const std::string& v) {
+       s.job.include_folders.push_back(v);
+       return Result<void>();
+     }},
     {"define", 'D', "NAME[=VALUE]", kLanguage, kEffect,
      "Define a macro for the effect's preprocessor; without VALUE it is 1. Can be given several times.", "",
      Repeat::kCollect,
@@ -168,23 +195,40 @@ constexpr OptionSpec kTable[] = {
     {"ocio", 0, "CONFIG", kRender, kColor,
      "OpenColorIO configuration whose display and view turn scene-linear light into what 8- and 16-bit files and video "
      "hold. Otherwise $OCIO, and plain sRGB without either.",
-     "", Repeat::kLast, [](Settings& s, const std::string& v) { s.job.color.config = v; return Result<void>(); }},
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.color.config = v;
+       return Result<void>();
+     }},
     {"display", 0, "NAME", kRender, kColor, "Display of the configuration. Otherwise its default.", "", Repeat::kLast,
-     [](Settings& s, const std::string& v) { s.job.color.display = v; return Result<void>(); }},
+     [](Settings& s, const std::string& v) {
+       s.job.color.display = v;
+       return Result<void>();
+     }},
     {"view", 0, "NAME", kRender, kColor, "View of the display. Otherwise its default.", "", Repeat::kLast,
-     [](Settings& s, const std::string& v) { s.job.color.view = v; return Result<void>(); }},
+     [](Settings& s, const std::string& v) {
+       s.job.color.view = v;
+       return Result<void>();
+     }},
 
     {"device", 0, "DEVICE", kRender | kVersion, kRunning,
      "auto (hardware if it works, else software), software, the number of a device, cuda:N, or a part of a renderer's "
      "name. burin --version --verbose lists them.",
-     "", Repeat::kLast, [](Settings& s, const std::string& v) { s.job.device = v; return Result<void>(); }},
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.device = v;
+       return Result<void>();
+     }},
     {"threads", 0, "N", kRender, kRunning,
      "Threads for encoding and software rendering. Otherwise as many as this process may use processors.", "",
      Repeat::kLast,
      [](Settings& s, const std::string& v) { return Store(s.job.threads, ParseInteger("threads", v, 1, 1024)); }},
     {"keep-going", 0, "", kRender, kRunning,
      "Leave out a frame that fails and go on with the next; the exit status is still 1.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.job.keep_going = true; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.job.keep_going = true;
+       return Result<void>();
+     }},
 
     {"progress", 0, "MODE", kRender, kMessages,
      "bar, plain (a line a frame), json (an object a line), openjd (Open Job Description), or none. Otherwise bar on a "
@@ -196,9 +240,15 @@ constexpr OptionSpec kTable[] = {
        return Store(s.progress_descriptor, ParseInteger("progress-fd", v, 1, 1023));
      }},
     {"json", 0, "", kCheck | kInfo | kEffects, kMessages, "Write JSON to stdout.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.json = true; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.json = true;
+       return Result<void>();
+     }},
     {"dot", 0, "", kInfo, kMessages, "Write the effect's data flow as a Graphviz graph to stdout.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.dot = true; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.dot = true;
+       return Result<void>();
+     }},
     {"quiet", 'q', "", kAny, kMessages, "Errors only: no progress, no warnings.", "", Repeat::kLast,
      [](Settings& s, const std::string&) {
        s.log_level = LogLevel::kError;
@@ -206,11 +256,17 @@ constexpr OptionSpec kTable[] = {
        return Result<void>();
      }},
     {"verbose", 'v', "", kAny, kMessages, "Say more: the device, sizes, what was chosen and why.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.log_level = LogLevel::kInfo; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.log_level = LogLevel::kInfo;
+       return Result<void>();
+     }},
     {"log-level", 0, "LEVEL", kAny, kMessages, "What is said: error, warning (otherwise) or info.",
      "error|warning|info", Repeat::kLast, StoreLogLevel},
     {"help", 'h', "", kAny, kMessages, "Show this help.", "", Repeat::kLast,
-     [](Settings& s, const std::string&) { s.help = true; return Result<void>(); }},
+     [](Settings& s, const std::string&) {
+       s.help = true;
+       return Result<void>();
+     }},
 };
 
 }  // namespace

@@ -22,16 +22,16 @@ enum CommandBit : unsigned {
   kCompletion = 1u << 6,
 };
 
-enum class Repeat { kLast, kCollect };   ///< what a second use does: replaces the first, or adds to it
+enum class Repeat { kLast, kCollect };  ///< what a second use does: replaces the first, or adds to it
 
 struct OptionSpec {
-  std::string_view name;      ///< without the dashes
-  char letter;                ///< short form, 0: none
-  std::string_view value;     ///< "WxH"; empty: the option takes none
-  unsigned commands;          ///< of CommandBit
-  std::string_view group;     ///< heading in --help
-  std::string_view help;      ///< sentences; wrapped where they are shown
-  std::string_view choices;   ///< "bar|plain|json": what the value may be; empty: free
+  std::string_view name;     ///< without the dashes
+  char letter;               ///< short form, 0: none
+  std::string_view value;    ///< "WxH"; empty: the option takes none
+  unsigned commands;         ///< of CommandBit
+  std::string_view group;    ///< heading in --help
+  std::string_view help;     ///< sentences; wrapped where they are shown
+  std::string_view choices;  ///< "bar|plain|json": what the value may be; empty: free
   Repeat repeat;
   /// Stores the value (empty for an option without one). Errors: kUsage, naming the option and what was expected.
   Result<void> (*apply)(Settings&, const std::string& value);

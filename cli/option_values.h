@@ -23,8 +23,8 @@ namespace burin::cli {
 [[nodiscard]] Result<double> ParseNumber(std::string_view option, std::string_view text);
 [[nodiscard]] Result<long> ParseInteger(std::string_view option, std::string_view text, long lowest, long highest);
 /// "NAME=VALUE"; without "=" the value is `otherwise`, or an error when that is null.
-[[nodiscard]] Result<std::pair<std::string, std::string>> ParseAssignment(std::string_view option, std::string_view text,
-                                                                          const char* otherwise);
+[[nodiscard]] Result<std::pair<std::string, std::string>> ParseAssignment(std::string_view option,
+                                                                          std::string_view text, const char* otherwise);
 /// Names separated by commas; empty ones are refused.
 [[nodiscard]] Result<std::vector<std::string>> ParseNames(std::string_view option, std::string_view text);
 

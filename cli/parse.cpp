@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/parse.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -51,8 +51,7 @@ Result<void> Apply(const Bound& bound, Settings& settings) {
   if (spec.value.empty()) {
     return bound.option->count() > 0 ? spec.apply(settings, "") : Result<void>();
   }
-  const std::size_t first =
-      spec.repeat == Repeat::kLast && !bound.values.empty() ? bound.values.size() - 1 : 0;
+  const std::size_t first = spec.repeat == Repeat::kLast && !bound.values.empty() ? bound.values.size() - 1 : 0;
   for (std::size_t i = first; i < bound.values.size(); ++i) {
     if (!spec.choices.empty()) {
       if (auto good = CheckChoice(spec, bound.values[i]); !good) return good;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
-
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "cli/progress_modes.h"
 
@@ -41,10 +40,8 @@ bool JsonProgress::OnMessage(const char* level, const std::string& text) {
 }
 
 void JsonProgress::OnFinished(const Result<void>& result, long frames_done) {
-  nlohmann::ordered_json event = {{"event", "end"},
-                                  {"status", result ? "done" : "failed"},
-                                  {"frames", frames_done},
-                                  {"renderer", renderer_}};
+  nlohmann::ordered_json event = {
+      {"event", "end"}, {"status", result ? "done" : "failed"}, {"frames", frames_done}, {"renderer", renderer_}};
   if (!result) {
     event["exit_status"] = static_cast<int>(result.error().kind);
     event["message"] = result.error().message;

@@ -20,9 +20,8 @@ int UnknownCommand(const std::string& word) {
   for (const CommandSpec& command : CommandTable()) names.emplace_back(command.name);
   const std::string nearest = fx::NearestName(word, names);
   const std::string what = word.starts_with('-') ? "option" : "command";
-  PrintError({ErrorKind::kUsage,
-              fmt::format("unknown {} '{}'{}; burin help lists the commands", what, word,
-                          nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest))});
+  PrintError({ErrorKind::kUsage, fmt::format("unknown {} '{}'{}; burin help lists the commands", what, word,
+                                             nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest))});
   return kExitUsage;
 }
 

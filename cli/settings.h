@@ -16,7 +16,7 @@ enum class ProgressMode { kAuto, kBar, kPlain, kJson, kOpenJd, kNone };
 /// What the command line says, whatever the command.
 struct Settings {
   render::Job job;
-  std::vector<std::string> arguments;   ///< those that are no options, in order
+  std::vector<std::string> arguments;  ///< those that are no options, in order
   LogLevel log_level = LogLevel::kWarning;
   ProgressMode progress = ProgressMode::kAuto;
   int progress_descriptor = 2;

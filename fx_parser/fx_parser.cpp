@@ -12,11 +12,13 @@ CompileResult CompileEffect(const std::string& path, const FileSystem& files, co
   Diagnostics diagnostics;
   auto module = std::make_shared<ast::Module>(
       Parse(path, files, PreprocessOptions{options.include_folders, options.definitions}, result.sources, diagnostics));
+  const bool parsed = !diagnostics.has_errors();
   if (!diagnostics.exhausted()) {
-    Checker checker(*module, diagnostics.has_errors(), diagnostics);
+    Checker checker(*module, !parsed, diagnostics);
     checker.CheckModule();
-    // Texture names and states are checked beside type errors; only GLSL needs sound functions.
-    if (!diagnostics.exhausted()) {
+    // Texture names and states are checked beside type errors; only GLSL needs sound functions. Not after syntax errors:
+    // what is missing then may only be what did not parse.
+    if (parsed && !diagnostics.exhausted()) {
       Effect effect;
       effect.path = path;
       EffectBuilder(checker, *module, options.attributes, effect).Build(!diagnostics.has_errors());

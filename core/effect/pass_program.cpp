@@ -99,7 +99,7 @@ void PassProgram::AddLeaves(const fx::Type& type, const std::string& name, std::
   if (is_struct) {
     if (type.structure == nullptr) return;
     for (const auto& member : type.structure->members) {
-      AddLeaves(member->type, name + "." + member->name, offset, leaves);
+      AddLeaves(member->type, name + "." + fx::GlslMemberName(member->name), offset, leaves);
     }
     return;
   }

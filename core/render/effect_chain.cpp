@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/render/effect_textures.h"
 
 namespace burin::render {
@@ -11,6 +13,12 @@ namespace {
 bool FollowsFromFrame(gbuffer::Attribute attribute) {
   using enum gbuffer::Attribute;
   return attribute == kColor || attribute == kIntensity || attribute == kAlpha;
+}
+
+/// Whether reading `target` gives what reading `picture` does when both hold the same bits.
+bool ReadsAlike(const gl::Format& picture, const gl::Format& target, bool is_opaque) {
+  const bool same_colors = std::equal(picture.swizzle.begin(), picture.swizzle.begin() + 3, target.swizzle.begin());
+  return picture.internal == target.internal && same_colors && (picture.swizzle[3] == target.swizzle[3] || is_opaque);
 }
 
 Error WithPath(Error error, const std::string& path) {
@@ -73,12 +81,31 @@ void EffectChain::SortRequests(Link& link, bool is_first) {
   }
 }
 
+gl::Texture* EffectChain::CopyTarget(const gl::Format& format, int width, int height, image::Encoding encoding,
+                                     bool is_opaque) {
+  for (const gbuffer::Request& request : links_.front().from_source) {
+    const gl::Texture& target = *request.target;
+    const bool is_picture =
+        request.attribute == gbuffer::Attribute::kColor || request.attribute == gbuffer::Attribute::kVideo;
+    if (is_picture && request.encoding == encoding && target.width() == width && target.height() == height &&
+        ReadsAlike(format, target.format(), is_opaque)) {
+      // An attribute's target is the caller's to fill; only drawing into it needs no more than a const reference.
+      return const_cast<gl::Texture*>(request.target);
+    }
+  }
+  return nullptr;
+}
+
 Result<Picture> EffectChain::Run(const effect::FrameContext& context, const Picture& source, const SceneFrame* scene) {
   Picture picture = source;
   const effect::SceneDraws draws = scene != nullptr ? scene_->Draws(*scene) : effect::SceneDraws();
   for (Link& link : links_) {
-    if (!link.from_source.empty()) {
-      if (auto filled = pictures_.Fill(*source.texture, source.encoding, link.from_source); !filled) {
+    std::vector<gbuffer::Request> from_source = link.from_source;
+    std::erase_if(from_source, [&source](const gbuffer::Request& request) {
+      return request.target == source.texture;  // uploaded there: CopyTarget()
+    });
+    if (!from_source.empty()) {
+      if (auto filled = pictures_.Fill(*source.texture, source.encoding, from_source); !filled) {
         return std::unexpected(filled.error());
       }
     }
@@ -100,7 +127,8 @@ std::vector<std::string> EffectChain::TakeWarnings() {
     const std::vector<std::string>& all = link.runner->warnings();
     for (; link.warnings_taken < all.size(); ++link.warnings_taken) {
       const std::string& warning = all[link.warnings_taken];
-      warnings.push_back(warning.find(link.path) == std::string::npos ? fmt::format("{}: {}", link.path, warning) : warning);
+      warnings.push_back(warning.find(link.path) == std::string::npos ? fmt::format("{}: {}", link.path, warning)
+                                                                      : warning);
     }
   }
   return warnings;

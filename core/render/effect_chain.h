@@ -42,8 +42,14 @@ class EffectChain {
   /// What the scene has to fill before Run(); empty without a scene.
   [[nodiscard]] std::span<const gbuffer::Request> scene_requests() const { return scene_requests_; }
 
+  /// The first effect's target that would be a mere copy of such a picture, so that the picture can be uploaded into it
+  /// at once: same size and samples, and alpha either the same or hidden where the picture is opaque. Null: none is.
+  [[nodiscard]] gl::Texture* CopyTarget(const gl::Format& format, int width, int height, image::Encoding encoding,
+                                        bool is_opaque);
+
   /// The last effect's frame; valid until the next Run(). `source` is the source's picture; `scene` its frame or null.
-  [[nodiscard]] Result<Picture> Run(const effect::FrameContext& context, const Picture& source, const SceneFrame* scene);
+  [[nodiscard]] Result<Picture> Run(const effect::FrameContext& context, const Picture& source,
+                                    const SceneFrame* scene);
 
   [[nodiscard]] std::vector<std::string> TakeWarnings();
   /// "edges.fx: technique 'Main'" each, with the rejected ones and why, for -v.
@@ -53,8 +59,8 @@ class EffectChain {
   struct Link {
     std::unique_ptr<effect::EffectRunner> runner;
     std::string path;
-    std::vector<gbuffer::Request> from_source;     ///< of a picture source
-    std::vector<gbuffer::Request> from_previous;   ///< of the effect before
+    std::vector<gbuffer::Request> from_source;    ///< of a picture source
+    std::vector<gbuffer::Request> from_previous;  ///< of the effect before
     std::size_t warnings_taken = 0;
   };
 

@@ -48,7 +48,8 @@ std::string TechniqueText(const fx::Effect& effect, std::size_t index, const eff
   } else if (index == choice.technique) {
     text += fmt::format("   used; its frame is {}", EncodingText(effect::FrameEncoding(effect, index)));
   } else {
-    const auto rejected = std::ranges::find(choice.rejected, technique.name, &std::pair<std::string, std::string>::first);
+    const auto rejected =
+        std::ranges::find(choice.rejected, technique.name, &std::pair<std::string, std::string>::first);
     text += rejected != choice.rejected.end() ? fmt::format("   not used: {}", rejected->second) : "   not used";
   }
   text += "\n";

@@ -19,7 +19,7 @@ namespace burin::render {
 /// The data flow of one pass: indices in Effect::textures, each once, in the order of first use.
 struct PassFlow {
   std::vector<std::size_t> reads;
-  std::vector<std::size_t> writes;   ///< empty: the frame
+  std::vector<std::size_t> writes;  ///< empty: the frame
 };
 [[nodiscard]] PassFlow FlowOf(const fx::Effect& effect, const fx::Pass& pass);
 

@@ -19,7 +19,7 @@ struct EffectOptions {
 /// One effect file, compiled against the table of G-buffer attributes.
 struct EffectFile {
   std::string path;
-  std::shared_ptr<const fx::Effect> effect;      ///< null when there are errors
+  std::shared_ptr<const fx::Effect> effect;  ///< null when there are errors
   std::vector<fx::Diagnostic> diagnostics;
   fx::SourceSet sources;
   int errors = 0;

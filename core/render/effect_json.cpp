@@ -67,8 +67,7 @@ Json TechniqueJson(const fx::Effect& effect, std::size_t index, const effect::Te
   if (!technique.custom_attribute.empty()) json["custom_attribute"] = technique.custom_attribute;
   const auto rejected = std::ranges::find(choice.rejected, technique.name, &std::pair<std::string, std::string>::first);
   if (rejected != choice.rejected.end()) json["rejected"] = rejected->second;
-  json["frame"] =
-      effect::FrameEncoding(effect, index) == image::Encoding::kSceneLinear ? "scene-linear" : "display";
+  json["frame"] = effect::FrameEncoding(effect, index) == image::Encoding::kSceneLinear ? "scene-linear" : "display";
   json["passes"] = Json::array();
   for (const fx::Pass& pass : technique.passes) {
     const PassFlow flow = FlowOf(effect, pass);
@@ -101,12 +100,9 @@ Result<std::string> EffectJson(const EffectFile& file, const std::string& techni
   const fx::Effect& effect = *file.effect;
   const auto choice = effect::ChooseTechnique(effect, technique);
   if (!choice) return std::unexpected(choice.error());
-  Json json = {{"file", file.path},
-               {"kind", "effect"},
-               {"parameters", Json::array()},
-               {"textures", Json::array()},
-               {"techniques", Json::array()},
-               {"warnings", file.warnings}};
+  Json json = {{"file", file.path},           {"kind", "effect"},
+               {"parameters", Json::array()}, {"textures", Json::array()},
+               {"techniques", Json::array()}, {"warnings", file.warnings}};
   for (const fx::Parameter& parameter : effect.parameters) json["parameters"].push_back(ParameterJson(parameter));
   for (const fx::Texture& texture : effect.textures) json["textures"].push_back(TextureJson(texture));
   for (std::size_t i = 0; i < effect.techniques.size(); ++i) {
@@ -132,8 +128,8 @@ Result<std::string> EffectDot(const EffectFile& file, const std::string& techniq
   const fx::Technique& used = effect.techniques[choice->technique];
   for (std::size_t i = 0; i < used.passes.size(); ++i) {
     const PassFlow flow = FlowOf(effect, used.passes[i]);
-    const std::string title = used.passes[i].name.empty() ? fmt::format("pass {}", i)
-                                                           : fmt::format("pass {}: {}", i, used.passes[i].name);
+    const std::string title =
+        used.passes[i].name.empty() ? fmt::format("pass {}", i) : fmt::format("pass {}: {}", i, used.passes[i].name);
     dot += fmt::format("  p{} [shape=ellipse, label={}];\n", i, Quoted(title));
     for (const std::size_t texture : flow.reads) dot += fmt::format("  {} -> p{};\n", node(texture), i);
     for (const std::size_t texture : flow.writes) dot += fmt::format("  p{} -> {};\n", i, node(texture));

@@ -63,7 +63,8 @@ std::vector<ShippedEffect> Matches(const std::vector<ShippedEffect>& shipped, co
 std::unexpected<Error> Ambiguous(const std::string& argument, const std::vector<ShippedEffect>& matches) {
   std::vector<std::string> names;
   for (const ShippedEffect& match : matches) names.push_back(match.name);
-  return Fail(ErrorKind::kUsage, fmt::format("'{}' means several shipped effects: {}", argument, fmt::join(names, ", ")));
+  return Fail(ErrorKind::kUsage,
+              fmt::format("'{}' means several shipped effects: {}", argument, fmt::join(names, ", ")));
 }
 
 std::string NotFound(const std::string& argument, const std::vector<ShippedEffect>& shipped) {

@@ -49,10 +49,9 @@ Result<std::vector<Assignments>> ShareParameters(std::span<const std::shared_ptr
     if (used) continue;
     const std::string nearest = fx::NearestName(name, names);
     return Fail(ErrorKind::kUsage,
-                effects.empty()
-                    ? fmt::format("--param {}: there is no effect", name)
-                    : fmt::format("--param {}: no effect declares such a parameter{}", name,
-                                  nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+                effects.empty() ? fmt::format("--param {}: there is no effect", name)
+                                : fmt::format("--param {}: no effect declares such a parameter{}", name,
+                                              nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
   }
   return shares;
 }
@@ -73,8 +72,8 @@ Result<std::vector<std::string>> ShareTechnique(std::span<const std::shared_ptr<
   }
   if (used) return techniques;
   return Fail(ErrorKind::kUsage, effects.empty() ? fmt::format("--technique {}: there is no effect", wanted)
-                                                 : fmt::format("--technique {}: no such technique; there are: {}", wanted,
-                                                               fmt::join(names, ", ")));
+                                                 : fmt::format("--technique {}: no such technique; there are: {}",
+                                                               wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace burin::render

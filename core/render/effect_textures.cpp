@@ -11,7 +11,8 @@
 
 namespace burin::render {
 
-effect::TextureLoader TextureLoaderFor(const std::string& effect_path, const std::vector<std::string>& include_folders) {
+effect::TextureLoader TextureLoaderFor(const std::string& effect_path,
+                                       const std::vector<std::string>& include_folders) {
   namespace fs = std::filesystem;
   std::vector<std::string> folders{fs::path(effect_path).parent_path().string()};
   if (!folders.front().empty()) folders.emplace_back();  // the working folder
@@ -26,8 +27,8 @@ effect::TextureLoader TextureLoaderFor(const std::string& effect_path, const std
     }
     std::vector<std::string> searched;
     for (const std::string& folder : folders) searched.push_back(folder.empty() ? "." : folder);
-    return Fail(ErrorKind::kInput, fmt::format("{}: texture '{}' not found; searched: {}", effect_path, path,
-                                               fmt::join(searched, ", ")));
+    return Fail(ErrorKind::kInput,
+                fmt::format("{}: texture '{}' not found; searched: {}", effect_path, path, fmt::join(searched, ", ")));
   };
 }
 

@@ -46,9 +46,8 @@ std::string_view Trimmed(std::string_view text) {
 }
 
 std::unexpected<Error> Malformed(std::string_view list, std::string_view item, std::string_view hint) {
-  return Fail(ErrorKind::kUsage,
-              list == item ? fmt::format("--frames {}: {}", list, hint)
-                           : fmt::format("--frames {}: in '{}': {}", list, item, hint));
+  return Fail(ErrorKind::kUsage, list == item ? fmt::format("--frames {}: {}", list, hint)
+                                              : fmt::format("--frames {}: in '{}': {}", list, item, hint));
 }
 
 struct Range {
@@ -68,8 +67,8 @@ Result<Range> ParseItem(std::string_view list, std::string_view item) {
     const std::optional<long> last = reader.TakeNumber();
     if (last && reader.AtEnd()) {
       return Malformed(list, item,
-                       fmt::format("'a:b' is not a range; write {}-{} for all of them, or {}-{}:N for every Nth", *first,
-                                   *last, *first, *last));
+                       fmt::format("'a:b' is not a range; write {}-{} for all of them, or {}-{}:N for every Nth",
+                                   *first, *last, *first, *last));
     }
     return Malformed(list, item, kForms);
   }

@@ -26,11 +26,15 @@ SampleType NaturalType(const gl::Format& format) {
 
 gl::Format FormatOf(SampleType type, int components) {
   switch (type) {
-    case SampleType::kU8: return gl::PlainFormat(gl::Numeric::kUnorm, 8, components);
-    case SampleType::kU16: return gl::PlainFormat(gl::Numeric::kUnorm, 16, components);
-    case SampleType::kF16: return gl::PlainFormat(gl::Numeric::kFloat, 16, components);
+    case SampleType::kU8:
+      return gl::PlainFormat(gl::Numeric::kUnorm, 8, components);
+    case SampleType::kU16:
+      return gl::PlainFormat(gl::Numeric::kUnorm, 16, components);
+    case SampleType::kF16:
+      return gl::PlainFormat(gl::Numeric::kFloat, 16, components);
     case SampleType::kU32:
-    case SampleType::kF32: break;
+    case SampleType::kF32:
+      break;
   }
   return gl::PlainFormat(gl::Numeric::kFloat, 32, components);
 }
@@ -47,6 +51,7 @@ Result<std::unique_ptr<FrameRenderer>> FrameRenderer::Create(const Plan& plan, R
 
 Result<void> FrameRenderer::Build(RendererInput input) {
   transform_ = input.transform;
+  is_opaque_ = input.is_opaque;
   auto pictures = PictureStage::Create(transform_);
   if (!pictures) return std::unexpected(pictures.error());
   pictures_ = *std::move(pictures);
@@ -135,7 +140,16 @@ Result<Picture> FrameRenderer::Upload(const SourceFrame& frame) {
     return Picture{&upload_, Encoding::kDisplay};
   }
   const image::Image& picture = *frame.picture;
-  if (auto good = EnsureTexture(upload_, gl::FormatFor(picture), picture.width, picture.height, "source picture"); !good) {
+  if (chain_) {
+    const gl::Format format = gl::FormatFor(picture);
+    if (gl::Texture* const target =
+            chain_->CopyTarget(format, picture.width, picture.height, picture.encoding, is_opaque_)) {
+      target->Upload(picture);
+      return Picture{target, picture.encoding};
+    }
+  }
+  if (auto good = EnsureTexture(upload_, gl::FormatFor(picture), picture.width, picture.height, "source picture");
+      !good) {
     return std::unexpected(good.error());
   }
   upload_.Upload(picture);
@@ -199,7 +213,8 @@ Result<void> FrameRenderer::QueueFrame(const Picture& frame) {
     ring_->Start(*frame.texture, SampleType::kF32, 4, frame.encoding);
     return {};
   }
-  if (auto good = EnsureTexture(encoded_, OutputFormat(), plan_.width, plan_.height, "encoded frame"); !good) return good;
+  if (auto good = EnsureTexture(encoded_, OutputFormat(), plan_.width, plan_.height, "encoded frame"); !good)
+    return good;
   const gbuffer::Request request{gbuffer::Attribute::kColor, &encoded_, plan_.output.encoding};
   if (auto filled = pictures_->Fill(*frame.texture, frame.encoding, {&request, 1}); !filled) return filled;
   ring_->Start(encoded_, plan_.output.type, 4, plan_.output.encoding);

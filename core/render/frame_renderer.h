@@ -16,9 +16,10 @@ namespace burin::render {
 
 /// What a FrameRenderer is made from besides the plan.
 struct RendererInput {
-  const scene::Scene* scene = nullptr;            ///< null: pictures
-  const image::Image* environment = nullptr;      ///< null: the built-in one
-  std::optional<std::array<float, 4>> background; ///< scene-linear, unassociated alpha
+  const scene::Scene* scene = nullptr;             ///< null: pictures
+  bool is_opaque = false;                          ///< pictures whose alpha is 1 everywhere
+  const image::Image* environment = nullptr;       ///< null: the built-in one
+  std::optional<std::array<float, 4>> background;  ///< scene-linear, unassociated alpha
   std::vector<std::shared_ptr<const fx::Effect>> effects;
   std::vector<std::string> techniques;
   std::vector<Assignments> parameters;
@@ -26,8 +27,8 @@ struct RendererInput {
   std::shared_ptr<const image::ColorTransform> transform;
 };
 
-/// Source frames in, pixels out, on the context's thread: attributes, effects, the output's encoding where the device can
-/// do it, and asynchronous read-back of up to kInFlight frames.
+/// Source frames in, pixels out, on the context's thread: attributes, effects, the output's encoding where the device
+/// can do it, and asynchronous read-back of up to kInFlight frames.
 class FrameRenderer {
  public:
   static constexpr int kInFlight = 2;
@@ -71,9 +72,10 @@ class FrameRenderer {
   std::unique_ptr<SceneStage> scene_;
   std::unique_ptr<EffectChain> chain_;
   std::vector<Layer> layers_;
-  gl::Texture upload_;      ///< the source's picture
-  gl::Texture frame_;       ///< the frame when there is no effect
-  gl::Texture encoded_;     ///< the frame in the output's encoding
+  bool is_opaque_ = false;
+  gl::Texture upload_;   ///< the source's picture
+  gl::Texture frame_;    ///< the frame when there is no effect
+  gl::Texture encoded_;  ///< the frame in the output's encoding
   std::deque<long> numbers_;
   std::unique_ptr<gl::ReadbackRing> ring_;
 };

@@ -17,15 +17,15 @@ enum class AlphaOutput { kAuto, kKeep, kDrop };
 
 /// Everything that `burin render` was asked for, as values; checked for form, not yet against files.
 struct Job {
-  std::vector<std::string> effects;        ///< files, in chain order
-  std::string source;                      ///< scene, image, sequence pattern, video, "-"; empty: none
-  std::string output;                      ///< file, pattern, video, "-"
+  std::vector<std::string> effects;  ///< files, in chain order
+  std::string source;                ///< scene, image, sequence pattern, video, "-"; empty: none
+  std::string output;                ///< file, pattern, video, "-"
   std::vector<std::string> include_folders;
   std::vector<std::pair<std::string, std::string>> definitions;
   std::vector<std::pair<std::string, std::string>> parameters;
   std::string technique;
-  std::vector<std::string> attributes;     ///< --attributes
-  std::vector<long> frames;                ///< ascending; empty: all that the source has
+  std::vector<std::string> attributes;  ///< --attributes
+  std::vector<long> frames;             ///< ascending; empty: all that the source has
   std::optional<video::FrameRate> fps;
   std::optional<std::pair<int, int>> size;
   std::string camera;
@@ -34,13 +34,13 @@ struct Job {
   long turntable_frames = 0;
   std::string animation = "auto";
   std::string environment;
-  std::optional<std::array<float, 4>> background;   ///< scene-linear RGBA behind a scene; absent: transparent
+  std::optional<std::array<float, 4>> background;  ///< scene-linear RGBA behind a scene; absent: transparent
   image::ColorOptions color;
   std::string device = "auto";
   int threads = 0;
-  int depth_bits = 0;                      ///< 0: the output's usual
+  int depth_bits = 0;  ///< 0: the output's usual
   AlphaOutput alpha = AlphaOutput::kAuto;
-  std::optional<video::Chroma> chroma;     ///< of y4m; absent: the source's, else 4:4:4
+  std::optional<video::Chroma> chroma;  ///< of y4m; absent: the source's, else 4:4:4
   int quality = 95;
   bool keep_going = false;
   bool make_folders = false;

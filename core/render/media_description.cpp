@@ -13,24 +13,35 @@ namespace {
 
 const char* KindName(SourceKind kind) {
   switch (kind) {
-    case SourceKind::kImage: return "image";
-    case SourceKind::kSequence: return "sequence";
-    case SourceKind::kVideo: return "video";
+    case SourceKind::kImage:
+      return "image";
+    case SourceKind::kSequence:
+      return "sequence";
+    case SourceKind::kVideo:
+      return "video";
     case SourceKind::kY4mFile:
-    case SourceKind::kY4mStream: return "y4m";
-    case SourceKind::kScene: return "scene";
-    case SourceKind::kNone: break;
+    case SourceKind::kY4mStream:
+      return "y4m";
+    case SourceKind::kScene:
+      return "scene";
+    case SourceKind::kNone:
+      break;
   }
   return "none";
 }
 
 const char* TypeName(image::SampleType type) {
   switch (type) {
-    case image::SampleType::kU8: return "8-bit";
-    case image::SampleType::kU16: return "16-bit";
-    case image::SampleType::kU32: return "32-bit integer";
-    case image::SampleType::kF16: return "half";
-    case image::SampleType::kF32: return "float";
+    case image::SampleType::kU8:
+      return "8-bit";
+    case image::SampleType::kU16:
+      return "16-bit";
+    case image::SampleType::kU32:
+      return "32-bit integer";
+    case image::SampleType::kF16:
+      return "half";
+    case image::SampleType::kF32:
+      return "float";
   }
   return "unknown";
 }
@@ -54,7 +65,8 @@ Result<SourceInfo> Look(const std::string& path) {
 Result<std::string> MediaText(const std::string& path) {
   const auto info = Look(path);
   if (!info) return std::unexpected(info.error());
-  std::string text = fmt::format("{}: {}\n\n  size      {}x{}\n", path, KindName(info->kind), info->width, info->height);
+  std::string text =
+      fmt::format("{}: {}\n\n  size      {}x{}\n", path, KindName(info->kind), info->width, info->height);
   text += fmt::format("  samples   {}{}\n", TypeName(info->type), info->has_alpha ? ", with alpha" : "");
   if (HasRate(*info)) {
     text += fmt::format("  rate      {}/{} ({:.6g} frames a second)\n", info->rate->numerator, info->rate->denominator,
@@ -73,12 +85,8 @@ Result<std::string> MediaJson(const std::string& path) {
   using Json = nlohmann::ordered_json;
   const auto info = Look(path);
   if (!info) return std::unexpected(info.error());
-  Json json = {{"file", path},
-               {"kind", KindName(info->kind)},
-               {"width", info->width},
-               {"height", info->height},
-               {"samples", TypeName(info->type)},
-               {"alpha", info->has_alpha}};
+  Json json = {{"file", path},           {"kind", KindName(info->kind)},    {"width", info->width},
+               {"height", info->height}, {"samples", TypeName(info->type)}, {"alpha", info->has_alpha}};
   if (HasRate(*info)) json["rate"] = {info->rate->numerator, info->rate->denominator};
   if (info->chroma) json["chroma"] = ChromaName(*info->chroma);
   if (info->kind == SourceKind::kSequence) {

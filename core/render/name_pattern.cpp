@@ -73,9 +73,10 @@ Result<NamePattern> NamePattern::Parse(std::string_view path) {
       return Fail(ErrorKind::kUsage, fmt::format("'{}': '{}' asks for more than {} digits", path, written, kMaxDigits));
     }
     if (path.find('/', token->end) != std::string_view::npos) {
-      return Fail(ErrorKind::kUsage, fmt::format("'{}': the frame number '{}' stands in a folder's name; expected it in "
-                                                 "the file's name",
-                                                 path, written));
+      return Fail(ErrorKind::kUsage,
+                  fmt::format("'{}': the frame number '{}' stands in a folder's name; expected it in "
+                              "the file's name",
+                              path, written));
     }
     pattern.has_token_ = true;
     pattern.before_ = path.substr(0, token->begin);

@@ -27,7 +27,7 @@ class NamePattern {
   [[nodiscard]] Result<std::vector<long>> FindFrames() const;
 
  private:
-  std::string text_;      ///< as written
+  std::string text_;  ///< as written
   std::string before_;
   std::string after_;
   int digits_ = 0;

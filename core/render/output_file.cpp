@@ -25,7 +25,8 @@ bool IsSceneLinear(const std::string& extension, int depth_bits) {
   return (extension == "tif" || extension == "tiff") && depth_bits == 32;
 }
 
-image::SampleType ChooseType(const Output& output, const std::string& extension, const Job& job, const SourceInfo& source) {
+image::SampleType ChooseType(const Output& output, const std::string& extension, const Job& job,
+                             const SourceInfo& source) {
   using enum image::SampleType;
   if (output.encoding == image::Encoding::kSceneLinear) {
     if (job.depth_bits == 8) return kU8;  // for CheckWritable to refuse
@@ -63,7 +64,8 @@ Result<void> CheckVideo(const Output& output, const Job& job, int width, int hei
 
 Result<Output> ClassifyOutput(const Job& job) {
   Output output;
-  if (job.output.empty()) return Fail(ErrorKind::kUsage, "no output; expected -o FILE (or -o - for a stream on stdout)");
+  if (job.output.empty())
+    return Fail(ErrorKind::kUsage, "no output; expected -o FILE (or -o - for a stream on stdout)");
   auto pattern = NamePattern::Parse(job.output);
   if (!pattern) return std::unexpected(pattern.error());
   output.pattern = *std::move(pattern);
@@ -79,14 +81,14 @@ Result<Output> ClassifyOutput(const Job& job) {
     output.is_exr = extension == "exr";
     if (IsSceneLinear(extension, job.depth_bits)) output.encoding = image::Encoding::kSceneLinear;
   } else {
-    return Fail(ErrorKind::kUsage,
-                fmt::format("{}: {}; expected an image (.png .jpg .tif .exr), a video (.mkv .mp4 .avi .mov .y4m) or -",
-                            job.output, extension.empty() ? std::string("no extension")
-                                                          : fmt::format("unknown extension .{}", extension)));
+    return Fail(
+        ErrorKind::kUsage,
+        fmt::format("{}: {}; expected an image (.png .jpg .tif .exr), a video (.mkv .mp4 .avi .mov .y4m) or -",
+                    job.output,
+                    extension.empty() ? std::string("no extension") : fmt::format("unknown extension .{}", extension)));
   }
   if (output.is_video() && output.pattern.has_token()) {
-    return Fail(ErrorKind::kUsage,
-                fmt::format("{}: a video is one file, its name takes no frame number", job.output));
+    return Fail(ErrorKind::kUsage, fmt::format("{}: a video is one file, its name takes no frame number", job.output));
   }
   return output;
 }
@@ -101,16 +103,22 @@ Result<void> ChooseSamples(Output& output, const Job& job, const SourceInfo& sou
   if (auto good = image::CheckWritable(path, output.type, 3); !good) return good;
   const std::string extension = base::LowerExtension(path);
   const bool drops_alpha = extension == "jpg" || extension == "jpeg" || extension == "hdr";
-  const auto with_alpha = drops_alpha ? Fail(ErrorKind::kUsage, fmt::format("{}: .{} files hold no alpha; expected .png, "
-                                                                            ".tif or .exr", path, extension))
-                                      : image::CheckWritable(path, output.type, 4);
+  const auto with_alpha = drops_alpha
+                              ? Fail(ErrorKind::kUsage, fmt::format("{}: .{} files hold no alpha; expected .png, "
+                                                                    ".tif or .exr",
+                                                                    path, extension))
+                              : image::CheckWritable(path, output.type, 4);
   switch (job.alpha) {
     case AlphaOutput::kKeep:
       if (!with_alpha) return with_alpha;
       output.channels = 4;
       break;
-    case AlphaOutput::kDrop: output.channels = 3; break;
-    case AlphaOutput::kAuto: output.channels = source.has_alpha && with_alpha ? 4 : 3; break;
+    case AlphaOutput::kDrop:
+      output.channels = 3;
+      break;
+    case AlphaOutput::kAuto:
+      output.channels = source.has_alpha && with_alpha ? 4 : 3;
+      break;
   }
   return {};
 }
@@ -133,8 +141,8 @@ Result<void> CheckPlace(const Output& output, bool make_folders) {
     }
   }
   if (!fs::is_directory(folder, status)) {
-    return Fail(ErrorKind::kFailed, fmt::format("{}: the folder {} is not there; --mkdir makes it", path.string(),
-                                                folder.string()));
+    return Fail(ErrorKind::kFailed,
+                fmt::format("{}: the folder {} is not there; --mkdir makes it", path.string(), folder.string()));
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
     return Fail(ErrorKind::kFailed, fmt::format("{}: cannot write in the folder {}: {}", path.string(), folder.string(),

@@ -24,7 +24,8 @@ SourceInfo InfoOf(const image::Image& picture, SourceKind kind) {
 /// One picture for every frame number that is asked for.
 class ImageSource final : public Source {
  public:
-  explicit ImageSource(image::Image picture) : picture_(std::move(picture)), info_(InfoOf(picture_, SourceKind::kImage)) {
+  explicit ImageSource(image::Image picture)
+      : picture_(std::move(picture)), info_(InfoOf(picture_, SourceKind::kImage)) {
     info_.frames = {1};
   }
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
@@ -43,8 +44,12 @@ class SequenceSource final : public Source {
  public:
   SequenceSource(image::ImageModule& module, NamePattern pattern, std::vector<long> frames, long first,
                  image::Image picture, bool any_size)
-      : module_(module), pattern_(std::move(pattern)), info_(InfoOf(picture, SourceKind::kSequence)),
-        first_(first), first_picture_(std::move(picture)), any_size_(any_size) {
+      : module_(module),
+        pattern_(std::move(pattern)),
+        info_(InfoOf(picture, SourceKind::kSequence)),
+        first_(first),
+        first_picture_(std::move(picture)),
+        any_size_(any_size) {
     info_.frames = std::move(frames);
   }
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
@@ -58,8 +63,8 @@ class SequenceSource final : public Source {
     }
     const std::string path = pattern_.Format(number);
     if (!std::ranges::binary_search(info_.frames, number)) {
-      return Fail(ErrorKind::kInput, fmt::format("{}: no such file; the sequence has the frames {}", path,
-                                                 FormatFrameList(info_.frames)));
+      return Fail(ErrorKind::kInput,
+                  fmt::format("{}: no such file; the sequence has the frames {}", path, FormatFrameList(info_.frames)));
     }
     auto picture = module_.Read(path);
     if (!picture) return std::unexpected(picture.error());
@@ -78,7 +83,7 @@ class SequenceSource final : public Source {
   SourceInfo info_;
   long first_;
   std::optional<image::Image> first_picture_;
-  bool any_size_;   ///< --size is given: pictures are resized
+  bool any_size_;  ///< --size is given: pictures are resized
 };
 
 }  // namespace

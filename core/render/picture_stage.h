@@ -23,7 +23,8 @@ class PictureStage {
   [[nodiscard]] const image::ColorTransform& transform() const { return *transform_; }
 
  private:
-  PictureStage(std::unique_ptr<gbuffer::PictureRenderer> renderer, std::shared_ptr<const image::ColorTransform> transform);
+  PictureStage(std::unique_ptr<gbuffer::PictureRenderer> renderer,
+               std::shared_ptr<const image::ColorTransform> transform);
   [[nodiscard]] Result<const gl::Texture*> Converted(const gl::Texture& picture, image::Encoding from,
                                                      image::Encoding to);
 

@@ -42,8 +42,15 @@ class Pipeline {
  public:
   Pipeline(const Plan& plan, Source& source, FrameRenderer& renderer, Sink& sink, FrameOutcome& outcome,
            Progress& progress, const std::atomic<bool>& stop)
-      : plan_(plan), source_(source), renderer_(renderer), sink_(sink), outcome_(outcome), progress_(progress),
-        stop_(stop), decoded_(kDecodedAhead), encoded_(static_cast<std::size_t>(sink.workers())) {}
+      : plan_(plan),
+        source_(source),
+        renderer_(renderer),
+        sink_(sink),
+        outcome_(outcome),
+        progress_(progress),
+        stop_(stop),
+        decoded_(kDecodedAhead),
+        encoded_(static_cast<std::size_t>(sink.workers())) {}
 
   void Run() {
     std::thread decoder([this] { Decode(); });

@@ -28,8 +28,8 @@ Result<void> ChooseFrames(Plan& plan, const Job& job, const SourceInfo& source) 
     plan.frames = source.frames;
   }
   if (plan.output.takes_several() || plan.frames.size() == 1) return {};
-  const std::string frames = plan.frames.empty() ? std::string("all frames of a video")
-                                                 : fmt::format("{} frames", plan.frames.size());
+  const std::string frames =
+      plan.frames.empty() ? std::string("all frames of a video") : fmt::format("{} frames", plan.frames.size());
   return Fail(ErrorKind::kUsage,
               fmt::format("{}: {} need a name with a place for the number, such as {}; or choose one by --frames",
                           job.output, frames, WithToken(job.output)));
@@ -43,12 +43,14 @@ Result<void> ChooseLayers(Plan& plan, const Job& job) {
   plan.has_frame = !job.effects.empty();
   if (plan.output.is_exr) return {};
   if (plan.has_frame) {
-    return Fail(ErrorKind::kUsage,
-                fmt::format("{}: --attributes beside an effect's frame needs layers; expected an .exr output", job.output));
+    return Fail(
+        ErrorKind::kUsage,
+        fmt::format("{}: --attributes beside an effect's frame needs layers; expected an .exr output", job.output));
   }
   if (plan.layers.size() > 1) {
-    return Fail(ErrorKind::kUsage, fmt::format("{}: {} attributes need layers; expected an .exr output, or one attribute",
-                                               job.output, plan.layers.size()));
+    return Fail(ErrorKind::kUsage,
+                fmt::format("{}: {} attributes need layers; expected an .exr output, or one attribute", job.output,
+                            plan.layers.size()));
   }
   return {};
 }
@@ -63,8 +65,9 @@ Result<std::vector<gbuffer::Attribute>> FindAttributes(const std::vector<std::st
       std::vector<std::string> known;
       for (const gbuffer::AttributeInfo& info : gbuffer::AllAttributes()) known.emplace_back(info.name);
       const std::string nearest = fx::NearestName(name, known);
-      return Fail(ErrorKind::kUsage, fmt::format("--attributes: unknown attribute '{}'{}; burin-attributes(7) lists them",
-                                                 name, nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest)));
+      return Fail(ErrorKind::kUsage,
+                  fmt::format("--attributes: unknown attribute '{}'{}; burin-attributes(7) lists them", name,
+                              nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest)));
     }
     if (std::ranges::find(attributes, *attribute) != attributes.end()) {
       return Fail(ErrorKind::kUsage, fmt::format("--attributes: '{}' stands twice", name));
@@ -77,8 +80,9 @@ Result<std::vector<gbuffer::Attribute>> FindAttributes(const std::vector<std::st
 Result<Plan> MakePlan(const Job& job, Output output, const SourceInfo& source) {
   Plan plan;
   plan.output = std::move(output);
-  std::tie(plan.width, plan.height) =
-      job.size ? *job.size : source.width > 0 ? std::pair(source.width, source.height) : kDefaultSize;
+  std::tie(plan.width, plan.height) = job.size           ? *job.size
+                                      : source.width > 0 ? std::pair(source.width, source.height)
+                                                         : kDefaultSize;
   plan.rate = job.fps ? *job.fps : source.rate.value_or(kDefaultRate);
   if (source.kind == SourceKind::kNone && job.effects.empty()) {
     return Fail(ErrorKind::kUsage, "nothing to render: no source and no effect");

@@ -17,7 +17,7 @@ class Progress {
   /// With --keep-going: the frame is left out, the job goes on.
   virtual void FrameFailed(long frame, const std::string& message) = 0;
   virtual void Warning(const std::string& message) = 0;
-  virtual void Info(const std::string& message) = 0;           ///< shown with -v
+  virtual void Info(const std::string& message) = 0;  ///< shown with -v
   /// A compiler's messages about an effect, formatted, with their newlines.
   virtual void Diagnostics(const std::string& text) = 0;
   /// Whether Diagnostics() takes ANSI colours.

@@ -100,8 +100,8 @@ Result<Prepared> Prepare(const Job& job, Output output) {
 Result<void> CheckLimits(const Plan& plan, const SourceInfo& source, const gl::DeviceInfo& device) {
   const int limit = device.max_texture_size;
   if (plan.width > limit || plan.height > limit) {
-    return Fail(ErrorKind::kFailed, fmt::format("the frame is {}x{}, over this device's limit of {}x{} ({})", plan.width,
-                                                plan.height, limit, limit, device.renderer));
+    return Fail(ErrorKind::kFailed, fmt::format("the frame is {}x{}, over this device's limit of {}x{} ({})",
+                                                plan.width, plan.height, limit, limit, device.renderer));
   }
   if (source.width > limit || source.height > limit) {
     return Fail(ErrorKind::kFailed, fmt::format("the source is {}x{}, over this device's limit of {}x{} ({})",
@@ -131,6 +131,7 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   const SourceInfo& source = prepared.source->info();
   if (auto good = CheckLimits(plan, source, device); !good) return good;
   input.scene = prepared.source->scene();
+  input.is_opaque = !source.has_alpha;
   input.environment = prepared.environment ? &*prepared.environment : nullptr;
   input.background = Background(job, plan.output);
   input.effects = std::move(effects);
@@ -178,7 +179,8 @@ Result<void> RunJob(const Job& job, Progress& progress, const std::atomic<bool>&
   return RenderFrames(job, *prepared, *std::move(effects), std::move(input), device, progress, stop, frames_done);
 }
 
-/// Frames are megabytes that come and go: kept in the heap instead of being mapped, and zeroed by the kernel, each time.
+/// Frames are megabytes that come and go: kept in the heap instead of being mapped, and zeroed by the kernel, each
+/// time.
 void KeepLargeBlocks() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
   mallopt(M_TRIM_THRESHOLD, 256 << 20);

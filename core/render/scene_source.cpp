@@ -23,7 +23,8 @@ void Extend(scene::Bounds& bounds, const scene::Bounds& other) {
   bounds.max = glm::max(bounds.max, other.max);
 }
 
-scene::Bounds BoundsOverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, double duration_s) {
+scene::Bounds BoundsOverTime(const scene::Scene& scene, const scene::AnimationSelection& animations,
+                             double duration_s) {
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
   scene::Bounds bounds;
   for (int i = 0; i < samples; ++i) {
@@ -36,15 +37,20 @@ scene::Bounds BoundsOverTime(const scene::Scene& scene, const scene::AnimationSe
 class SceneSource final : public Source {
  public:
   SceneSource(scene::Scene scene, scene::AnimationSelection animations, int camera_node, const Job& job)
-      : scene_(std::move(scene)), animations_(std::move(animations)), turntable_(job.turntable_frames),
-        orbit_deg_(job.orbit_deg), size_(job.size.value_or(kDefaultSize)), rate_(job.fps.value_or(kDefaultRate)) {
+      : scene_(std::move(scene)),
+        animations_(std::move(animations)),
+        turntable_(job.turntable_frames),
+        orbit_deg_(job.orbit_deg),
+        size_(job.size.value_or(kDefaultSize)),
+        rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
     camera_.camera_node = camera_node;
     camera_.bounds = BoundsOverTime(scene_, animations_, duration_s);
     info_.kind = SourceKind::kScene;
     info_.rate = job.fps;
     // A loop's last frame is the one before the first comes again.
-    const double frames = turntable_ > 0 ? static_cast<double>(turntable_) : std::ceil(duration_s * rate_.value() - 1e-4);
+    const double frames =
+        turntable_ > 0 ? static_cast<double>(turntable_) : std::ceil(duration_s * rate_.value() - 1e-4);
     info_.frames.resize(static_cast<std::size_t>(std::clamp(frames, 1.0, 1e6)));
     for (std::size_t i = 0; i < info_.frames.size(); ++i) info_.frames[i] = static_cast<long>(i) + 1;
   }

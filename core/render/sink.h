@@ -14,8 +14,8 @@ namespace burin::render {
 /// One frame off the device.
 struct RenderedFrame {
   long number = 1;
-  image::Image picture;               ///< empty when Plan::has_frame is false and the output takes layers
-  std::vector<image::Image> layers;   ///< one for each of Plan::layers
+  image::Image picture;              ///< empty when Plan::has_frame is false and the output takes layers
+  std::vector<image::Image> layers;  ///< one for each of Plan::layers
 };
 
 /// Where frames go. Write() comes from workers() threads at once; with one worker, in frame order.

@@ -53,16 +53,21 @@ Result<std::unique_ptr<Source>> OpenSource(const Job& job) {
     }
   }
   if (base::LowerExtension(job.source) == "bpt") {
-    return Fail(ErrorKind::kInput, fmt::format("{}: patch models are not supported; expected .gltf or .glb", job.source));
+    return Fail(ErrorKind::kInput,
+                fmt::format("{}: patch models are not supported; expected .gltf or .glb", job.source));
   }
   switch (kind) {
-    case SourceKind::kNone: return std::make_unique<EmptySource>();
-    case SourceKind::kScene: return OpenSceneSource(job);
+    case SourceKind::kNone:
+      return std::make_unique<EmptySource>();
+    case SourceKind::kScene:
+      return OpenSceneSource(job);
     case SourceKind::kImage:
-    case SourceKind::kSequence: return OpenPictureSource(job, kind);
+    case SourceKind::kSequence:
+      return OpenPictureSource(job, kind);
     case SourceKind::kVideo:
     case SourceKind::kY4mFile:
-    case SourceKind::kY4mStream: return OpenVideoSource(job, kind);
+    case SourceKind::kY4mStream:
+      return OpenVideoSource(job, kind);
   }
   return Fail(ErrorKind::kFailed, "unreachable: unknown kind of source");
 }

@@ -25,15 +25,15 @@ enum class SourceKind { kNone, kScene, kImage, kSequence, kVideo, kY4mFile, kY4m
 
 struct SourceInfo {
   SourceKind kind = SourceKind::kNone;
-  int width = 0;                             ///< 0: the source has no size of its own (scene, none)
+  int width = 0;  ///< 0: the source has no size of its own (scene, none)
   int height = 0;
   std::optional<video::FrameRate> rate;
-  bool has_alpha = true;                     ///< false: opaque pictures
+  bool has_alpha = true;  ///< false: opaque pictures
   image::SampleType type = image::SampleType::kU8;
   std::optional<video::Chroma> chroma;
   /// All frames that there are, ascending; empty: frames 1, 2 ... until Read() says that there are no more.
   std::vector<long> frames;
-  std::optional<long> expected_frames;       ///< of those unlisted, what the container says
+  std::optional<long> expected_frames;  ///< of those unlisted, what the container says
 };
 
 /// A scene at one frame, deformed and ready to draw.
@@ -42,7 +42,7 @@ struct SceneFrame {
   std::vector<scene::DrawItem> items;
   scene::View view;
   scene::View previous_view;
-  effect::FrameContext context;              ///< matrices, eye and key light; time and size are the caller's
+  effect::FrameContext context;  ///< matrices, eye and key light; time and size are the caller's
 };
 
 /// What the source gives for one frame: a picture, a scene, or nothing but the number.
@@ -57,8 +57,8 @@ class Source {
  public:
   virtual ~Source() = default;
   [[nodiscard]] virtual const SourceInfo& info() const = 0;
-  /// Fills `frame` for `number`; numbers ascend from call to call. False: the source ends before it. `frame.picture` may
-  /// hold an earlier frame, whose memory is used again. Errors: kInput.
+  /// Fills `frame` for `number`; numbers ascend from call to call. False: the source ends before it. `frame.picture`
+  /// may hold an earlier frame, whose memory is used again. Errors: kInput.
   [[nodiscard]] virtual Result<bool> Read(long number, SourceFrame& frame) = 0;
   /// Null but for scenes; valid as long as the source.
   [[nodiscard]] virtual const scene::Scene* scene() const { return nullptr; }

@@ -24,9 +24,10 @@ Result<std::string> DescribeDevice(const std::string& device) {
   auto context = gl::Context::Create({.device = device, .threads = 0, .debug = false});
   if (!context) return std::unexpected(context.error());
   const gl::DeviceInfo& info = (*context)->info();
-  std::string text = fmt::format("device: {}{}\n        {}\n        OpenGL {}\n        textures up to {}x{}, {} draw buffers, {} samples\n",
-                                 info.renderer, info.is_software ? " (software)" : "", info.vendor, info.version,
-                                 info.max_texture_size, info.max_texture_size, info.max_draw_buffers, info.max_samples);
+  std::string text = fmt::format(
+      "device: {}{}\n        {}\n        OpenGL {}\n        textures up to {}x{}, {} draw buffers, {} samples\n",
+      info.renderer, info.is_software ? " (software)" : "", info.vendor, info.version, info.max_texture_size,
+      info.max_texture_size, info.max_draw_buffers, info.max_samples);
   for (const std::string& line : gl::ListDevices()) text += fmt::format("--device {}\n", line);
   return text;
 }

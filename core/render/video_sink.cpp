@@ -22,8 +22,7 @@ class VideoSink final : public Sink {
 
   [[nodiscard]] Result<std::string> Write(RenderedFrame frame) override {
     if (frame.picture.type != image::SampleType::kU8 || frame.picture.encoding == image::Encoding::kSceneLinear) {
-      frame.picture =
-          ConvertEncoding(frame.picture, image::Encoding::kDisplay, image::SampleType::kU8, *transform_);
+      frame.picture = ConvertEncoding(frame.picture, image::Encoding::kDisplay, image::SampleType::kU8, *transform_);
     }
     if (auto written = writer_->Write(frame.picture); !written) return std::unexpected(written.error());
     return name_;
@@ -35,7 +34,7 @@ class VideoSink final : public Sink {
   }
 
  private:
-  std::optional<base::AtomicFile> file_;   // of a y4m file; outlives the writer
+  std::optional<base::AtomicFile> file_;  // of a y4m file; outlives the writer
   std::unique_ptr<video::VideoWriter> writer_;
   std::string name_;
   std::shared_ptr<const image::ColorTransform> transform_;

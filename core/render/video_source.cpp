@@ -62,7 +62,7 @@ class VideoSource final : public Source {
   }
 
  private:
-  Descriptor descriptor_;   // outlives the reader
+  Descriptor descriptor_;  // outlives the reader
   std::unique_ptr<video::VideoReader> reader_;
   SourceInfo info_;
   std::string name_;

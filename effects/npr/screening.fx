@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A print of the picture: more contrast, dilated outlines, and tones by a screen of lines or dots.
 //
-// Figure 6 of the paper on the G2-buffer. Pass 0 stretches the contrast of the intensity, pass 1 marks its Roberts cross
-// edges, pass 2 broadens them and screens the tones so that on average the paper keeps each tone. Technique Lines is the
-// default, technique Dots has diamonds.
+// Figure 6 of the paper on the G2-buffer. Pass 0 stretches the contrast of the intensity, pass 1 marks the Roberts cross
+// edges of the tones and of what covers the paper, pass 2 broadens them and screens the tones so that on average the paper
+// keeps each tone. Technique Lines is the default, technique Dots has diamonds.
 //
-// Parameters: Period and Angle of the screen; Contrast about the middle and Brightness; EdgeThreshold (1 or more: no
-// outlines); InkColor and PaperColor.
+// Parameters: Period and Angle of the screen; Contrast about the middle and Brightness; EdgeThreshold (2: no outlines);
+// InkColor and PaperColor.
 
 float Period <
     string UIName = "Period";
@@ -97,9 +97,12 @@ float4 StretchContrast(float2 uv : TEXCOORD0) : COLOR
 
 float4 MarkEdges(float2 uv : TEXCOORD0) : COLOR
 {
-    float weight = abs(tex2D(Tone, uv).r - tex2D(Tone, uv + TexelSize.xy).r)
-                 + abs(tex2D(Tone, uv + TexelSize.xw).r - tex2D(Tone, uv + TexelSize.wy).r);
-    return weight > EdgeThreshold ? 0.0 : 1.0;
+    float2 upperLeft  = float2(tex2D(Tone, uv).r, tex2D(Alpha, uv).a);
+    float2 upperRight = float2(tex2D(Tone, uv + TexelSize.xw).r, tex2D(Alpha, uv + TexelSize.xw).a);
+    float2 lowerLeft  = float2(tex2D(Tone, uv + TexelSize.wy).r, tex2D(Alpha, uv + TexelSize.wy).a);
+    float2 lowerRight = float2(tex2D(Tone, uv + TexelSize.xy).r, tex2D(Alpha, uv + TexelSize.xy).a);
+    float2 weight = abs(upperLeft - lowerRight) + abs(upperRight - lowerLeft);
+    return max(weight.x, weight.y) > EdgeThreshold ? 0.0 : 1.0;
 }
 
 float DarkestAround(float2 uv)

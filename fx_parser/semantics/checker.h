@@ -27,6 +27,8 @@ class Checker {
 
   /// Types an expression at file scope; kError after a diagnostic.
   Type CheckExpression(ast::Expression& expression);
+  /// The same; null, after a syntax error, becomes an expression of type kError.
+  Type CheckExpression(ast::ExpressionPtr& expression);
   /// Reports X3017 or X3206 when the conversion is impossible or loses components; false when impossible.
   bool RequireConversion(const ast::Expression& expression, const Type& to);
   /// Types an initialiser, lists included, for a variable of this type.
@@ -74,7 +76,8 @@ class Checker {
   void Visit(ast::Continue& leave, const Range& range);
   void Visit(ast::Discard& leave, const Range& range);
   void CheckLocal(ast::Variable& variable);
-  void CheckCondition(ast::Expression& condition, const char* statement);
+  void CheckCondition(ast::ExpressionPtr& condition, const char* statement);
+  void CheckStatements(std::vector<ast::StatementPtr>& statements);
   void CheckBody(ast::Statement& body);
 
   // expressions

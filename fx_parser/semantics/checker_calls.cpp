@@ -83,7 +83,7 @@ Type Checker::Check(ast::Expression& e, ast::Call& call) {
   std::vector<Type> types;
   bool failed = false;
   for (auto& argument : call.arguments) {
-    types.push_back(CheckExpression(*argument));
+    types.push_back(CheckExpression(argument));
     failed = failed || types.back().kind == TypeKind::kError;
   }
   if (failed) return Type{};

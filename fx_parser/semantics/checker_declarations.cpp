@@ -91,7 +91,7 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
       array.push_back(static_cast<std::uint32_t>(list->elements.size()));
       continue;
     }
-    const Type size_type = CheckExpression(*size);
+    const Type size_type = CheckExpression(size);
     if (size_type.kind == TypeKind::kError) return Type{};
     const auto value = size_type.is_numeric() ? Evaluate(*size) : std::nullopt;
     if (!value || value->numbers.size() != 1) {
@@ -227,14 +227,15 @@ void Checker::CheckFunction(ast::Function& function) {
   scopes_.Push();
   for (auto& parameter : function.parameters) DeclareVariable(*parameter);
   if (auto* block = std::get_if<ast::Block>(&function.body->node)) {
-    for (auto& statement : block->statements) CheckStatement(*statement);
+    CheckStatements(block->statements);
   } else {
     CheckStatement(*function.body);
   }
   scopes_.Pop();
   current_ = nullptr;
   if (function.return_type.kind == TypeKind::kVoid || function.return_type.kind == TypeKind::kError) return;
-  if (diagnostics_.error_count() != errors || AlwaysReturns(*function.body)) return;
+  // After a syntax error the return may be what did not parse.
+  if (after_syntax_errors_ || diagnostics_.error_count() != errors || AlwaysReturns(*function.body)) return;
   if (HasReturn(*function.body)) {
     diagnostics_.Error(function.range, "X3507", "'" + function.name + "': not all control paths return a value");
   } else {

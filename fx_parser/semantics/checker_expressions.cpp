@@ -29,6 +29,14 @@ std::string SuggestionText(const std::string& near) { return near.empty() ? "" :
 
 }  // namespace
 
+Type Checker::CheckExpression(ast::ExpressionPtr& expression) {
+  if (expression == nullptr) {   // what did not parse; a nameless name is an error nobody reports twice
+    expression = std::make_unique<ast::Expression>();
+    expression->node = ast::Name{};
+  }
+  return CheckExpression(*expression);
+}
+
 Type Checker::CheckExpression(ast::Expression& expression) {
   if (diagnostics_.exhausted()) return Type{};
   expression.type = std::visit([&](auto& node) { return Check(expression, node); }, expression.node);
@@ -117,7 +125,7 @@ Type Checker::Check(ast::Expression& e, ast::Name& n) {
 }
 
 Type Checker::Check(ast::Expression& e, ast::Unary& n) {
-  const Type type = CheckExpression(*n.operand);
+  const Type type = CheckExpression(n.operand);
   if (!RequireNumeric(*n.operand)) return Type{};
   switch (n.op) {
     case ast::UnaryOperator::kNot: return WithScalar(type, Scalar::kBool);
@@ -134,8 +142,8 @@ Type Checker::Check(ast::Expression& e, ast::Unary& n) {
 }
 
 Type Checker::Check(ast::Expression& e, ast::Binary& n) {
-  CheckExpression(*n.left);
-  CheckExpression(*n.right);
+  CheckExpression(n.left);
+  CheckExpression(n.right);
   if (n.op == ast::BinaryOperator::kComma) return n.right->type;
   const bool left_numeric = RequireNumeric(*n.left);
   if (!RequireNumeric(*n.right) || !left_numeric) return Type{};
@@ -154,8 +162,8 @@ Type Checker::Check(ast::Expression& e, ast::Binary& n) {
 }
 
 Type Checker::Check(ast::Expression& e, ast::Assign& n) {
-  const Type target = CheckExpression(*n.target);
-  CheckExpression(*n.value);
+  const Type target = CheckExpression(n.target);
+  CheckExpression(n.value);
   if (!RequireLvalue(*n.target)) return Type{};
   if (n.op) {
     const bool target_numeric = RequireNumeric(*n.target);
@@ -177,9 +185,9 @@ Type Checker::Check(ast::Expression& e, ast::Assign& n) {
 }
 
 Type Checker::Check(ast::Expression& e, ast::Conditional& n) {
-  const Type condition = CheckExpression(*n.condition);
-  const Type if_true = CheckExpression(*n.if_true);
-  const Type if_false = CheckExpression(*n.if_false);
+  const Type condition = CheckExpression(n.condition);
+  const Type if_true = CheckExpression(n.if_true);
+  const Type if_false = CheckExpression(n.if_false);
   if (!RequireNumeric(*n.condition) || if_true.kind == TypeKind::kError || if_false.kind == TypeKind::kError) return Type{};
   if (!if_true.is_numeric() || !if_false.is_numeric()) {
     if (SameType(if_true, if_false) && condition.components() == 1) return if_true;
@@ -210,7 +218,7 @@ Type Checker::Check(ast::Expression& e, ast::Construct& n) {
   bool failed = type.kind == TypeKind::kError;
   long count = 0;
   for (auto& argument : n.arguments) {
-    const Type argument_type = CheckExpression(*argument);
+    const Type argument_type = CheckExpression(argument);
     if (argument_type.kind == TypeKind::kError) {
       failed = true;
       continue;
@@ -243,7 +251,7 @@ Type Checker::Check(ast::Expression& e, ast::Construct& n) {
 
 Type Checker::Check(ast::Expression& e, ast::Cast& n) {
   const Type type = ResolveArrayType(n.type, n.array_sizes, nullptr);
-  const Type operand = CheckExpression(*n.operand);
+  const Type operand = CheckExpression(n.operand);
   if (type.kind == TypeKind::kError || operand.kind == TypeKind::kError) return Type{};
   if (!ExplicitlyConvertible(operand, type)) {
     diagnostics_.Error(e.range, "X3017", "cannot convert from '" + ToString(operand) + "' to '" + ToString(type) + "'");
@@ -253,7 +261,7 @@ Type Checker::Check(ast::Expression& e, ast::Cast& n) {
 }
 
 Type Checker::Check(ast::Expression&, ast::Member& n) {
-  const Type operand = CheckExpression(*n.operand);
+  const Type operand = CheckExpression(n.operand);
   if (operand.kind == TypeKind::kError) return Type{};
   if (operand.kind == TypeKind::kStruct && !operand.is_array() && operand.structure != nullptr) {
     std::vector<std::string> names;
@@ -272,8 +280,8 @@ Type Checker::Check(ast::Expression&, ast::Member& n) {
 }
 
 Type Checker::Check(ast::Expression& e, ast::Index& n) {
-  const Type operand = CheckExpression(*n.operand);
-  const Type index = CheckExpression(*n.index);
+  const Type operand = CheckExpression(n.operand);
+  const Type index = CheckExpression(n.index);
   if (operand.kind == TypeKind::kError || index.kind == TypeKind::kError) return Type{};
   const auto element = ElementType(operand);
   if (!element) {
@@ -301,10 +309,10 @@ long Checker::CheckListElements(ast::InitializerList& list) {
   bool failed = false;
   for (auto& element : list.elements) {
     long components = -1;
-    if (auto* inner = std::get_if<ast::InitializerList>(&element->node)) {
+    if (auto* inner = element != nullptr ? std::get_if<ast::InitializerList>(&element->node) : nullptr) {
       components = CheckListElements(*inner);
     } else {
-      const Type type = CheckExpression(*element);
+      const Type type = CheckExpression(element);
       components = type.kind == TypeKind::kError ? -1 : type.kind == TypeKind::kString ? 1 : FlatComponents(type);
       if (components < 0 && type.kind != TypeKind::kError) {
         diagnostics_.Error(element->range, "X3022", "scalar, vector, or matrix expected, found '" + ToString(type) + "'");

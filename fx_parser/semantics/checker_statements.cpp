@@ -12,23 +12,29 @@ void Checker::CheckStatement(ast::Statement& statement) {
   std::visit([&](auto& node) { Visit(node, statement.range); }, statement.node);
 }
 
+void Checker::CheckStatements(std::vector<ast::StatementPtr>& statements) {
+  for (auto& statement : statements) {
+    if (statement != nullptr) CheckStatement(*statement);
+  }
+}
+
 void Checker::CheckBody(ast::Statement& body) {
   scopes_.Push();
   CheckStatement(body);
   scopes_.Pop();
 }
 
-void Checker::CheckCondition(ast::Expression& condition, const char* statement) {
+void Checker::CheckCondition(ast::ExpressionPtr& condition, const char* statement) {
   const Type type = CheckExpression(condition);
   if (type.kind == TypeKind::kError) return;
   if (!type.is_numeric() || type.components() != 1) {
-    diagnostics_.Error(condition.range, "X3019", std::string(statement) + " conditional expressions must evaluate to a scalar");
+    diagnostics_.Error(condition->range, "X3019", std::string(statement) + " conditional expressions must evaluate to a scalar");
   }
 }
 
 void Checker::Visit(ast::Block& block, const Range&) {
   scopes_.Push();
-  for (auto& statement : block.statements) CheckStatement(*statement);
+  CheckStatements(block.statements);
   scopes_.Pop();
 }
 
@@ -55,11 +61,11 @@ void Checker::Visit(ast::DeclarationStatement& declaration, const Range&) {
 }
 
 void Checker::Visit(ast::ExpressionStatement& statement, const Range&) {
-  if (statement.expression != nullptr) CheckExpression(*statement.expression);
+  if (statement.expression != nullptr) CheckExpression(statement.expression);
 }
 
 void Checker::Visit(ast::If& branch, const Range&) {
-  CheckCondition(*branch.condition, "if statement");
+  CheckCondition(branch.condition, "if statement");
   if (branch.then_branch != nullptr) CheckBody(*branch.then_branch);
   if (branch.else_branch != nullptr) CheckBody(*branch.else_branch);
 }
@@ -67,8 +73,8 @@ void Checker::Visit(ast::If& branch, const Range&) {
 void Checker::Visit(ast::For& loop, const Range&) {
   scopes_.Push();
   if (loop.init != nullptr) CheckStatement(*loop.init);
-  if (loop.condition != nullptr) CheckCondition(*loop.condition, "loop");
-  if (loop.step != nullptr) CheckExpression(*loop.step);
+  if (loop.condition != nullptr) CheckCondition(loop.condition, "loop");
+  if (loop.step != nullptr) CheckExpression(loop.step);
   ++loop_depth_;
   if (loop.body != nullptr) CheckBody(*loop.body);
   --loop_depth_;
@@ -76,7 +82,7 @@ void Checker::Visit(ast::For& loop, const Range&) {
 }
 
 void Checker::Visit(ast::While& loop, const Range&) {
-  CheckCondition(*loop.condition, "loop");
+  CheckCondition(loop.condition, "loop");
   ++loop_depth_;
   if (loop.body != nullptr) CheckBody(*loop.body);
   --loop_depth_;
@@ -86,11 +92,11 @@ void Checker::Visit(ast::DoWhile& loop, const Range&) {
   ++loop_depth_;
   if (loop.body != nullptr) CheckBody(*loop.body);
   --loop_depth_;
-  CheckCondition(*loop.condition, "loop");
+  CheckCondition(loop.condition, "loop");
 }
 
 void Checker::Visit(ast::Switch& choice, const Range&) {
-  const Type type = CheckExpression(*choice.selector);
+  const Type type = CheckExpression(choice.selector);
   if (type.kind != TypeKind::kError && (!type.is_numeric() || type.components() != 1)) {
     diagnostics_.Error(choice.selector->range, "X3019", "switch statement expressions must evaluate to a scalar");
   }
@@ -102,12 +108,12 @@ void Checker::Visit(ast::Switch& choice, const Range&) {
     if (arm.value == nullptr) {
       if (has_default) diagnostics_.Error(arm.range, "X3533", "duplicate default case in switch statement");
       has_default = true;
-    } else if (CheckExpression(*arm.value).kind != TypeKind::kError) {
+    } else if (CheckExpression(arm.value).kind != TypeKind::kError) {
       const auto value = EvaluateAs(*arm.value, ScalarType(Scalar::kInt));
       if (!value) diagnostics_.Error(arm.value->range, "X3020", "case values must be literal integers");
       else if (!seen.insert(value->numbers[0]).second) diagnostics_.Error(arm.value->range, "X3532", "duplicate case in switch statement");
     }
-    for (auto& statement : arm.statements) CheckStatement(*statement);
+    CheckStatements(arm.statements);
   }
   scopes_.Pop();
   --switch_depth_;
@@ -122,7 +128,7 @@ void Checker::Visit(ast::Return& leave, const Range& range) {
     }
     return;
   }
-  const Type type = CheckExpression(*leave.value);
+  const Type type = CheckExpression(leave.value);
   if (wanted.kind == TypeKind::kVoid) {
     if (type.kind != TypeKind::kVoid && type.kind != TypeKind::kError) {
       diagnostics_.Error(leave.value->range, "X3079", "'" + current_->name + "': void functions cannot return a value");

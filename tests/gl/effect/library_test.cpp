@@ -89,6 +89,21 @@ TEST(Library, EveryEffectSaysWhatItIsInItsFirstComment) {
   }
 }
 
+TEST(Library, TheManualsExampleRuns) {
+  const auto manual = fx::DiskFileSystem().Read(SourceFolder() + "/man/burin-fx.7");
+  ASSERT_TRUE(manual.has_value());
+  const std::size_t begin = manual->find(".EX\n") + 4;
+  std::string text = manual->substr(begin, manual->find(".EE\n", begin) - begin);
+  for (std::size_t at = text.find("\\-"); at != std::string::npos; at = text.find("\\-", at)) text.replace(at, 2, "-");
+  Bench bench(CompileText(text), kWidth, kHeight);
+  bench.Fill("intensity", MakeImage(kWidth, kHeight, image::SampleType::kU8, [](int x, int) {
+               const float value = x < 10 ? 0.0f : 1.0f;
+               return Rgba{value, value, value, 1};
+             }));
+  // Marked at 9, broadened to the right.
+  ExpectChannel(bench.RunPixels(), 0, [](int x, int) { return x == 9 || x == 10 ? 0.0f : 1.0f; }, 0);
+}
+
 TEST(Library, IdentityCopiesBits) {
   const auto effect = CompileFile("effects/basic/identity.fx");
   for (const auto& [width, height] : {std::pair{1, 1}, std::pair{37, 23}, std::pair{256, 255}}) {

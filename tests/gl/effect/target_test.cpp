@@ -135,6 +135,27 @@ TEST(Target, TargetsOfOneSizeShareDepthAndThoseOfAnotherHaveTheirOwn) {
   EXPECT_RGBA(result("_S2"), 1, 2, 3, 4);
 }
 
+TEST(Technique, OneThatTheDriverRefusesGivesWayToTheNext) {
+  const auto compiled = CompileText(
+      "float4 A() : COLOR { return 1; } float4 B() : COLOR { return 2; }\n"
+      "technique First < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 A(); } }\n"
+      "technique Second < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 B(); } }");
+  ASSERT_TRUE(compiled);
+  auto broken = std::make_shared<fx::Effect>(*compiled);
+  broken->techniques[0].passes[0].program.fragment_glsl = "#version 450 core\nno shader\n";
+  Bench bench(broken, 1, 1);
+  ASSERT_TRUE(bench.runner);
+  EXPECT_RGBA(bench.RunPixels().at(0, 0), 2, 2, 2, 2);
+  ASSERT_EQ(bench.runner->choice().rejected.size(), 1u);
+  EXPECT_EQ(bench.runner->choice().rejected[0].first, "First");
+  // The one that was asked for has no substitute.
+  RunnerOptions options;
+  options.technique = "First";
+  options.width = options.height = 1;
+  options.display_frame_format = options.linear_frame_format = gl::PlainFormat(gl::Numeric::kUnorm, 8, 4);
+  EXPECT_FALSE(EffectRunner::Create(broken, options).has_value());
+}
+
 TEST(Target, OneTooLargeForTheDeviceIsAnErrorThatNamesIt) {
   const auto effect = CompileText(
       "texture GBAcolor_A8R8G8B8_S16; sampler a = sampler_state { Texture = <GBAcolor_A8R8G8B8_S16>; };\n"

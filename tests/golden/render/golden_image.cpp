@@ -39,7 +39,8 @@ Comparison Compare(const image::Image& picture, const image::Image& golden) {
     comparison.max_difference = std::max(comparison.max_difference, difference);
     sum += difference;
     const bool is_alpha = picture.channels == 4 && i % 4 == 3;
-    comparison.difference.As<std::uint8_t>()[i] = static_cast<std::uint8_t>(is_alpha ? 255 : std::min(255, difference * 8));
+    comparison.difference.As<std::uint8_t>()[i] =
+        static_cast<std::uint8_t>(is_alpha ? 255 : std::min(255, difference * 8));
   }
   comparison.mean_difference = a.empty() ? 0.0 : sum / static_cast<double>(a.size());
   return comparison;
@@ -66,7 +67,8 @@ void ExpectGolden(const std::string& path, const std::string& name, const Tolera
   ASSERT_EQ(picture->type, image::SampleType::kU8);
 
   const Comparison comparison = Compare(*picture, *golden);
-  if (comparison.max_difference <= tolerance.max_difference && comparison.mean_difference <= tolerance.mean_difference) {
+  if (comparison.max_difference <= tolerance.max_difference &&
+      comparison.mean_difference <= tolerance.mean_difference) {
     return;
   }
   const fs::path kept = Folder("BURIN_BINARY_DIR") / "golden";

@@ -7,8 +7,8 @@
 
 namespace burin::golden {
 
-/// How far a picture may be from its golden one, in 8-bit steps: the largest difference of any sample, and the mean over
-/// all of them.
+/// How far a picture may be from its golden one, in 8-bit steps: the largest difference of any sample, and the mean
+/// over all of them.
 struct Tolerance {
   int max_difference = 0;
   double mean_difference = 0.0;

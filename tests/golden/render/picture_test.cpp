@@ -34,9 +34,9 @@ class SilentProgress final : public render::Progress {
 
 struct Case {
   const char* name;
-  const char* effect;      ///< shipped; empty: none
-  const char* scene;       ///< in examples/
-  const char* attribute;   ///< empty: the frame
+  const char* effect;     ///< shipped; empty: none
+  const char* scene;      ///< in examples/
+  const char* attribute;  ///< empty: the frame
   long frame;
   Tolerance tolerance;
 };
@@ -52,7 +52,8 @@ class Picture : public testing::TestWithParam<Case> {};
 
 TEST_P(Picture, IsTheGoldenOne) {
   const Case& test = GetParam();
-  const fs::path out = fs::temp_directory_path() / ("burin_golden_" + std::to_string(getpid()) + "_" + test.name + ".png");
+  const fs::path out =
+      fs::temp_directory_path() / ("burin_golden_" + std::to_string(getpid()) + "_" + test.name + ".png");
   render::Job job;
   job.source = Source(std::string("examples/") + test.scene);
   job.output = out.string();

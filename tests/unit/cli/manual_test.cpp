@@ -25,7 +25,8 @@ std::string Page(const std::string& name) {
   text = std::regex_replace(text, std::regex(R"(\\&)"), "");
   text = std::regex_replace(text, std::regex("\""), "");
   text = std::regex_replace(text, std::regex(" +"), " ");
-  return std::regex_replace(text, std::regex(R"(^\.(BR|B|I|BI|IR|RI|TP|SH|SS|PP|RS|RE)\b ?)", std::regex::multiline), "");
+  return std::regex_replace(text, std::regex(R"(^\.(BR|B|I|BI|IR|RI|TP|SH|SS|PP|RS|RE)\b ?)", std::regex::multiline),
+                            "");
 }
 
 class Manual : public testing::TestWithParam<const char*> {};

@@ -23,9 +23,10 @@ std::string Refusal(const std::string& command, const std::vector<std::string>& 
 }
 
 TEST(Parse, TakesARenderCommandApart) {
-  const Settings settings = Parsed("render", {"a.fx", "b.fx", "scene.glb", "-o", "out.####.png", "--size", "64x48",
-                                              "--frames=1-3", "--fps", "30000/1001", "-Ione", "-I", "two", "-DX=2",
-                                              "--define", "Y", "--param", "w=1,2", "--param", "v=0", "--keep-going"});
+  const Settings settings =
+      Parsed("render", {"a.fx",         "b.fx",  "scene.glb",  "-o",    "out.####.png", "--size", "64x48",
+                        "--frames=1-3", "--fps", "30000/1001", "-Ione", "-I",           "two",    "-DX=2",
+                        "--define",     "Y",     "--param",    "w=1,2", "--param",      "v=0",    "--keep-going"});
   EXPECT_THAT(settings.arguments, ElementsAre("a.fx", "b.fx", "scene.glb"));
   EXPECT_EQ(settings.job.output, "out.####.png");
   EXPECT_EQ(settings.job.size, std::pair(64, 48));
@@ -58,7 +59,8 @@ TEST(Parse, UnknownOptionsAreRefusedWithTheNearest) {
   EXPECT_EQ(Refusal("render", {"--fames=1"}), "burin render: unknown option --fames; did you mean --frames?");
   EXPECT_EQ(Refusal("render", {"--zzzzzzzzzz"}),
             "burin render: unknown option --zzzzzzzzzz; burin help render lists the options");
-  EXPECT_EQ(Refusal("check", {"--size", "1x1"}), "burin check: unknown option --size; burin help check lists the options");
+  EXPECT_EQ(Refusal("check", {"--size", "1x1"}),
+            "burin check: unknown option --size; burin help check lists the options");
   EXPECT_EQ(Refusal("render", {"-z"}), "burin render: unknown option -z; burin help render lists the options");
 }
 

@@ -94,8 +94,8 @@ TEST_F(FramesOnDisk, AMissingFolderIsNamed) {
   const auto frames = Pattern(name).FindFrames();
   ASSERT_FALSE(frames);
   EXPECT_EQ(frames.error().kind, ErrorKind::kInput);
-  EXPECT_EQ(frames.error().message, "'" + name + "': cannot read the folder '" + folder_.string() +
-                                        "/none': No such file or directory");
+  EXPECT_EQ(frames.error().message,
+            "'" + name + "': cannot read the folder '" + folder_.string() + "/none': No such file or directory");
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ TEST(Plan, SeveralFramesNeedAPlaceForTheNumber) {
   EXPECT_EQ(Refusal(job, Scene()),
             "out/a.png: 3 frames need a name with a place for the number, such as out/a.####.png; or choose one by "
             "--frames");
-  EXPECT_EQ(Refusal(To("a.png"), Video()),
-            "a.png: all frames of a video need a name with a place for the number, such as a.####.png; or choose one by "
-            "--frames");
+  EXPECT_EQ(
+      Refusal(To("a.png"), Video()),
+      "a.png: all frames of a video need a name with a place for the number, such as a.####.png; or choose one by "
+      "--frames");
   job.frames = {2};
   EXPECT_THAT(Planned(job, Scene()).frames, ElementsAre(2));
 }
@@ -137,8 +138,9 @@ TEST(Plan, AlphaIsKeptWhereTheSourceHasIt) {
 TEST(Plan, VideoRefusesWhatItCannotHold) {
   Job job = To("a.mkv");
   job.depth_bits = 16;
-  EXPECT_EQ(Refusal(job, Video()), "a.mkv: video holds 8 bits a channel, not 16; write an image sequence instead "
-                                   "(frame.####.png or frame.####.exr)");
+  EXPECT_EQ(Refusal(job, Video()),
+            "a.mkv: video holds 8 bits a channel, not 16; write an image sequence instead "
+            "(frame.####.png or frame.####.exr)");
   job.depth_bits = 0;
   job.alpha = AlphaOutput::kKeep;
   EXPECT_EQ(Refusal(job, Video()),
@@ -175,9 +177,10 @@ TEST(Plan, UnknownAttributesAreNamedWithTheNearest) {
 
 TEST(Output, UnknownNamesAreRefused) {
   EXPECT_EQ(Refusal(To(""), Scene()), "no output; expected -o FILE (or -o - for a stream on stdout)");
-  EXPECT_EQ(Refusal(To("a.doc"), Scene()),
-            "a.doc: unknown extension .doc; expected an image (.png .jpg .tif .exr), a video (.mkv .mp4 .avi .mov .y4m) "
-            "or -");
+  EXPECT_EQ(
+      Refusal(To("a.doc"), Scene()),
+      "a.doc: unknown extension .doc; expected an image (.png .jpg .tif .exr), a video (.mkv .mp4 .avi .mov .y4m) "
+      "or -");
   EXPECT_THAT(Refusal(To("a"), Scene()), HasSubstr("a: no extension; expected an image"));
   EXPECT_EQ(Refusal(To("a.##.mkv"), Scene()), "a.##.mkv: a video is one file, its name takes no frame number");
 }
