@@ -16,8 +16,8 @@ CompileResult CompileEffect(const std::string& path, const FileSystem& files, co
   if (!diagnostics.exhausted()) {
     Checker checker(*module, !parsed, diagnostics);
     checker.CheckModule();
-    // Texture names and states are checked beside type errors; only GLSL needs sound functions. Not after syntax errors:
-    // what is missing then may only be what did not parse.
+    // Texture names and states are checked beside type errors; only GLSL needs sound functions. Not after syntax
+    // errors: what is missing then may only be what did not parse.
     if (parsed && !diagnostics.exhausted()) {
       Effect effect;
       effect.path = path;
@@ -30,7 +30,8 @@ CompileResult CompileEffect(const std::string& path, const FileSystem& files, co
   return result;
 }
 
-std::optional<Value> EvaluateExpression(const Effect& effect, const ast::Expression& expression, const ParameterLookup& lookup) {
+std::optional<Value> EvaluateExpression(const Effect& effect, const ast::Expression& expression,
+                                        const ParameterLookup& lookup) {
   const VariableLookup by_variable = [&](const ast::Variable& variable) -> const Value* {
     if (!variable.is_global) return nullptr;
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/effect_runner.h"
 
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "core/effect/technique_choice.h"
 #include "core/effect/parameter_override.h"
 #include "core/effect/parameter_values.h"
 #include "core/effect/pass_program.h"
 #include "core/effect/pass_step.h"
 #include "core/effect/schedule.h"
 #include "core/effect/target_format.h"
+#include "core/effect/technique_choice.h"
 #include "core/effect/texture_store.h"
 #include "core/gl/fullscreen_quad.h"
 #include "core/gl/state.h"
@@ -99,7 +98,8 @@ Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
   const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   for (std::size_t i = 0; i < schedule_.steps.size(); ++i) {
-    auto made = PassStep::Create(*effect_, schedule_.steps[i], std::move(programs[i]), frame, *textures_, lookup, warnings_);
+    auto made =
+        PassStep::Create(*effect_, schedule_.steps[i], std::move(programs[i]), frame, *textures_, lookup, warnings_);
     if (!made) return std::unexpected(made.error());
     steps_.push_back(std::move(*made));
   }
@@ -110,8 +110,7 @@ void Runner::ListAttributes() {
   const auto annotated = AnnotatedEncoding(effect_->techniques[choice_.technique]);
   for (const std::size_t index : schedule_.attributes) {
     const fx::Texture& texture = effect_->textures[index];
-    const auto natural =
-        fx::Info(texture.format).is_float ? image::Encoding::kSceneLinear : image::Encoding::kDisplay;
+    const auto natural = fx::Info(texture.format).is_float ? image::Encoding::kSceneLinear : image::Encoding::kDisplay;
     attributes_.push_back({.attribute = std::get<fx::AttributeRole>(texture.role).attribute,
                            .texture = textures_->texture(index),
                            .encoding = annotated.value_or(natural)});
@@ -138,8 +137,8 @@ Result<void> Runner::DrawScene(PassStep& step, const FrameContext& context) {
     object.world_from_object = draw.world_from_object;
     values_->SetObject(object);
     step.UpdateParameters(*values_);
-    // Models wind their front faces counter-clockwise, and a mirroring matrix turns them round; effects of Direct3D expect
-    // clockwise ones.
+    // Models wind their front faces counter-clockwise, and a mirroring matrix turns them round; effects of Direct3D
+    // expect clockwise ones.
     step.SetFrontFace(glm::determinant(draw.world_from_object) < 0.0f);
     draw.draw();
   }
@@ -180,7 +179,8 @@ std::string DeviceRefusal(const fx::Pass& pass) {
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &draw_buffers);
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
   if (static_cast<GLint>(pass.targets.size()) > draw_buffers) {
-    return fmt::format("pass {} draws into {} targets; this device has {}", pass.name, pass.targets.size(), draw_buffers);
+    return fmt::format("pass {} draws into {} targets; this device has {}", pass.name, pass.targets.size(),
+                       draw_buffers);
   }
   if (static_cast<GLint>(pass.program.samplers.size()) > units) {
     return fmt::format("pass {} uses {} samplers; this device has {}", pass.name, pass.program.samplers.size(), units);
@@ -195,7 +195,8 @@ Result<std::vector<PassProgram>> CompilePrograms(const fx::Effect& effect, const
     const fx::Technique& technique = effect.techniques[step.technique];
     const fx::Pass& pass = technique.passes[step.pass];
     const std::string label = fmt::format("{}: technique '{}', pass '{}'", effect.path, technique.name, pass.name);
-    if (const std::string refusal = DeviceRefusal(pass); !refusal.empty()) return Fail(ErrorKind::kInput, label + ": " + refusal);
+    if (const std::string refusal = DeviceRefusal(pass); !refusal.empty())
+      return Fail(ErrorKind::kInput, label + ": " + refusal);
     auto program = PassProgram::Create(effect, pass.program, label);
     if (!program) return std::unexpected(program.error());
     programs.push_back(std::move(*program));

@@ -2,10 +2,10 @@
 // Values by semantic, as the samples of the DirectX SDK, DXSAS 1.0 and NVIDIA's SAS 0.8 name them.
 #include "core/effect/host_value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 #include <glm/matrix.hpp>
 
 #include "core/effect/text.h"
@@ -84,13 +84,42 @@ constexpr NamedValue kNames[] = {
 };
 
 // Semantics in use whose values this host leaves to the parameter's default: materials, users' devices, scripts.
-constexpr std::string_view kDefaultOnly[] = {
-    "standardsglobal", "sasglobal", "diffuse", "ambient", "specular", "emissive", "specularpower", "power", "color",
-    "normal", "opacity", "position", "direction", "mouseposition", "leftmousedown", "rightmousedown",
-    "middlemousedown", "fxcomposer_resetpulse", "controlobject", "unitsscale", "rendercolortarget",
-    "renderdepthstenciltarget", "offscreenrendertarget", "environment", "lightambient", "lightspecular",
-    "edgecolor", "groundshadowcolor", "texturevalue", "toon", "viewportratio", "worldmatrixarray", "refraction",
-    "specularcolor", "bumpiness", "surfacecolor"};
+constexpr std::string_view kDefaultOnly[] = {"standardsglobal",
+                                             "sasglobal",
+                                             "diffuse",
+                                             "ambient",
+                                             "specular",
+                                             "emissive",
+                                             "specularpower",
+                                             "power",
+                                             "color",
+                                             "normal",
+                                             "opacity",
+                                             "position",
+                                             "direction",
+                                             "mouseposition",
+                                             "leftmousedown",
+                                             "rightmousedown",
+                                             "middlemousedown",
+                                             "fxcomposer_resetpulse",
+                                             "controlobject",
+                                             "unitsscale",
+                                             "rendercolortarget",
+                                             "renderdepthstenciltarget",
+                                             "offscreenrendertarget",
+                                             "environment",
+                                             "lightambient",
+                                             "lightspecular",
+                                             "edgecolor",
+                                             "groundshadowcolor",
+                                             "texturevalue",
+                                             "toon",
+                                             "viewportratio",
+                                             "worldmatrixarray",
+                                             "refraction",
+                                             "specularcolor",
+                                             "bumpiness",
+                                             "surfacecolor"};
 
 std::string ObjectName(const fx::Parameter& parameter) {
   const fx::EffectAnnotation* object = fx::FindAnnotation(parameter.annotations, "Object");
@@ -136,17 +165,23 @@ bool IsFloating(const fx::Type& type) {
 bool Fits(Kind kind, const fx::Type& type) {
   if (!type.is_numeric()) return false;
   switch (kind) {
-    case Kind::kMatrix: return type.is_matrix && type.rows >= 2 && type.columns >= 2;
+    case Kind::kMatrix:
+      return type.is_matrix && type.rows >= 2 && type.columns >= 2;
     case Kind::kTime:
-    case Kind::kElapsedTime: return type.components() == 1 && IsFloating(type);
-    case Kind::kFrame: return type.components() == 1 && type.scalar != fx::Scalar::kBool;
-    case Kind::kFrameSize: return !type.is_matrix && type.components() >= 2;
-    case Kind::kTexelSize: return !type.is_matrix && type.components() >= 2 && IsFloating(type);
+    case Kind::kElapsedTime:
+      return type.components() == 1 && IsFloating(type);
+    case Kind::kFrame:
+      return type.components() == 1 && type.scalar != fx::Scalar::kBool;
+    case Kind::kFrameSize:
+      return !type.is_matrix && type.components() >= 2;
+    case Kind::kTexelSize:
+      return !type.is_matrix && type.components() >= 2 && IsFloating(type);
     case Kind::kEyePosition:
     case Kind::kViewDirection:
     case Kind::kLightPosition:
     case Kind::kLightDirection:
-    case Kind::kLightColor: return !type.is_matrix && type.components() >= 3 && IsFloating(type);
+    case Kind::kLightColor:
+      return !type.is_matrix && type.components() >= 3 && IsFloating(type);
   }
   return false;
 }
@@ -190,23 +225,30 @@ glm::mat4 Matrix(const HostValue& host, const FrameContext& context) {
 
 glm::vec4 InSpace(const HostValue& host, const FrameContext& context, const glm::vec4& world) {
   switch (host.space) {
-    case HostValue::Space::kWorld: return world;
-    case HostValue::Space::kView: return context.view_from_world * world;
-    case HostValue::Space::kObject: return glm::inverse(context.world_from_object) * world;
+    case HostValue::Space::kWorld:
+      return world;
+    case HostValue::Space::kView:
+      return context.view_from_world * world;
+    case HostValue::Space::kObject:
+      return glm::inverse(context.world_from_object) * world;
   }
   return world;
 }
 
 glm::vec4 Vector(const HostValue& host, const FrameContext& context, std::span<const glm::ivec2> texture_sizes) {
   switch (host.kind) {
-    case Kind::kTime: return glm::vec4(static_cast<float>(context.time_s));
-    case Kind::kElapsedTime: return glm::vec4(static_cast<float>(context.elapsed_s));
-    case Kind::kFrameSize: return {context.width, context.height, 0.0f, 0.0f};
+    case Kind::kTime:
+      return glm::vec4(static_cast<float>(context.time_s));
+    case Kind::kElapsedTime:
+      return glm::vec4(static_cast<float>(context.elapsed_s));
+    case Kind::kFrameSize:
+      return {context.width, context.height, 0.0f, 0.0f};
     case Kind::kTexelSize: {
       const glm::ivec2 size = host.texture ? texture_sizes[*host.texture] : glm::ivec2(context.width, context.height);
       return {1.0f / static_cast<float>(size.x), 1.0f / static_cast<float>(size.y), 0.0f, 0.0f};
     }
-    case Kind::kEyePosition: return InSpace(host, context, {context.eye_world, 1.0f});
+    case Kind::kEyePosition:
+      return InSpace(host, context, {context.eye_world, 1.0f});
     case Kind::kViewDirection: {
       // View space looks along -z; the third row of the rotation is its z axis in world space.
       const glm::mat4& view = context.view_from_world;
@@ -215,10 +257,13 @@ glm::vec4 Vector(const HostValue& host, const FrameContext& context, std::span<c
     case Kind::kLightPosition:
       return InSpace(host, context,
                      {context.light_position_world.value_or(context.light_direction_world * -kFarLight), 1.0f});
-    case Kind::kLightDirection: return InSpace(host, context, {context.light_direction_world, 0.0f});
-    case Kind::kLightColor: return context.light_color;
+    case Kind::kLightDirection:
+      return InSpace(host, context, {context.light_direction_world, 0.0f});
+    case Kind::kLightColor:
+      return context.light_color;
     case Kind::kMatrix:
-    case Kind::kFrame: break;
+    case Kind::kFrame:
+      break;
   }
   return glm::vec4(0.0f);
 }
@@ -232,8 +277,9 @@ std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Param
   std::optional<HostValue> host;
   if (!semantic.empty()) {
     host = FindBySemantic(parameter, semantic);
-    const bool is_known = host || semantic.starts_with("material") ||
-                          std::find(std::begin(kDefaultOnly), std::end(kDefaultOnly), semantic) != std::end(kDefaultOnly);
+    const bool is_known =
+        host || semantic.starts_with("material") ||
+        std::find(std::begin(kDefaultOnly), std::end(kDefaultOnly), semantic) != std::end(kDefaultOnly);
     if (!is_known) {
       warnings.push_back(fmt::format("{}: parameter '{}' stays at its default: unknown semantic '{}'", effect.path,
                                      parameter.name, parameter.semantic));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/parameter_override.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/effect/text.h"
 #include "fx_parser/source/diagnostic.h"
@@ -140,7 +140,8 @@ Result<Overrides> ParseOverrides(const fx::Effect& effect,
         return Fail(ErrorKind::kUsage,
                     fmt::format("texture '{}' of {} is rendered and takes no file", name, effect.path));
       }
-      if (text.empty()) return Fail(ErrorKind::kUsage, fmt::format("texture '{}' of {}: no file named", name, effect.path));
+      if (text.empty())
+        return Fail(ErrorKind::kUsage, fmt::format("texture '{}' of {}: no file named", name, effect.path));
       overrides.textures.insert_or_assign(*texture, text);
     } else {
       return std::unexpected(UnknownName(effect, name));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/pass_step.h"
 
-#include <algorithm>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "core/effect/srgb_view.h"
 #include "core/effect/state_binder.h"
@@ -71,7 +71,8 @@ Result<void> PassStep::CreateTargets(const fx::Effect& effect, const FrameTextur
                                      std::vector<std::string>& warnings) {
   const fx::Pass& pass = PassOf(effect, step_);
   std::vector<std::uint32_t> colors;
-  const int written = pass.program.fragment_entry.empty() && pass.program.fragment_glsl.empty() ? 0 : pass.program.targets;
+  const int written =
+      pass.program.fragment_entry.empty() && pass.program.fragment_glsl.empty() ? 0 : pass.program.targets;
   const auto add = [&](const gl::Texture& texture, int components, const std::array<float, 4>& clear) {
     writable_.push_back(static_cast<int>(colors.size()) < written ? components : 0);
     clear_colors_.push_back(clear);
@@ -103,7 +104,8 @@ Result<gl::FramebufferHandle> PassStep::CreateSrgbFramebuffer(const fx::Effect& 
                                                               std::vector<std::string>& warnings) {
   std::vector<std::uint32_t> colors;
   const auto warn = [&](std::string_view what) {
-    warnings.push_back(fmt::format("{}: SRGBWriteEnable has no effect on {}, whose format has no sRGB form", label_, what));
+    warnings.push_back(
+        fmt::format("{}: SRGBWriteEnable has no effect on {}, whose format has no sRGB form", label_, what));
   };
   if (step_.targets.empty()) {
     if (!*frame.srgb) *frame.srgb = CreateSrgbView(*frame.texture);
@@ -133,9 +135,10 @@ void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, 
         bound.is_dynamic = true;
         value = fx::EvaluateExpression(effect, *std::get<const fx::ast::Expression*>(state.value), lookup);
       }
-      const std::string fault = value ? SetState(bound.states, state.name, *value)
-                                      : fmt::format("{} has no value", StateName(state.name));
-      if (!fault.empty()) warnings.push_back(fmt::format("{}: sampler '{}': {}: ignored", effect.path, sampler.name, fault));
+      const std::string fault =
+          value ? SetState(bound.states, state.name, *value) : fmt::format("{} has no value", StateName(state.name));
+      if (!fault.empty())
+        warnings.push_back(fmt::format("{}: sampler '{}': {}: ignored", effect.path, sampler.name, fault));
     }
     if (!sampler.texture) {
       warnings.push_back(fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));

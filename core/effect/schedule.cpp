@@ -108,9 +108,9 @@ void PlanClears(const fx::Effect& effect, Schedule& schedule) {
 
 // What a pass's states, as far as they are constant, do with the depth-stencil buffer.
 struct DepthUse {
-  bool tests = false;            ///< with ZEnable
-  bool at_quad_depth = false;    ///< its depth is the quadrilateral's 0: no vertex shader, no DEPTH output
-  bool surely_needed = false;    ///< stencil, a comparison that a cleared buffer can fail, or not known before the frame
+  bool tests = false;          ///< with ZEnable
+  bool at_quad_depth = false;  ///< its depth is the quadrilateral's 0: no vertex shader, no DEPTH output
+  bool surely_needed = false;  ///< stencil, a comparison that a cleared buffer can fail, or not known before the frame
 };
 
 DepthUse UseOfDepth(const fx::Pass& pass) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/srgb_view.h"
 
-#include <array>
-#include <vector>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <array>
+#include <vector>
 
 namespace burin::effect {
 
@@ -15,7 +15,7 @@ gl::TextureHandle CreateSrgbView(const gl::Texture& texture) {
   if (texture.format().internal == GL_RGB8) internal = GL_SRGB8;
   if (internal == 0) return {};
   GLuint id = 0;
-  glGenTextures(1, &id);   // a view must not have been bound: no glCreateTextures
+  glGenTextures(1, &id);  // a view must not have been bound: no glCreateTextures
   gl::TextureHandle view(id);
   glTextureView(id, GL_TEXTURE_2D, texture.id(), internal, 0, static_cast<GLuint>(texture.levels()), 0, 1);
   glTextureParameteriv(id, GL_TEXTURE_SWIZZLE_RGBA, texture.format().swizzle.data());

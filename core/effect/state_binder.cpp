@@ -6,7 +6,7 @@
 namespace burin::effect {
 namespace {
 
-GLenum Compare(int d3d) { return static_cast<GLenum>(GL_NEVER + d3d - 1); }   // both count never, less, equal ... always
+GLenum Compare(int d3d) { return static_cast<GLenum>(GL_NEVER + d3d - 1); }  // both count never, less, equal ... always
 
 GLenum StencilOp(int d3d) {
   constexpr GLenum kOps[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
@@ -19,10 +19,21 @@ GLenum BlendOp(int d3d) {
 }
 
 GLenum Blend(int d3d) {
-  constexpr GLenum kFactors[] = {GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA,
-                                 GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_DST_COLOR,
-                                 GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA_SATURATE, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                                 GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR};
+  constexpr GLenum kFactors[] = {GL_ZERO,
+                                 GL_ONE,
+                                 GL_SRC_COLOR,
+                                 GL_ONE_MINUS_SRC_COLOR,
+                                 GL_SRC_ALPHA,
+                                 GL_ONE_MINUS_SRC_ALPHA,
+                                 GL_DST_ALPHA,
+                                 GL_ONE_MINUS_DST_ALPHA,
+                                 GL_DST_COLOR,
+                                 GL_ONE_MINUS_DST_COLOR,
+                                 GL_SRC_ALPHA_SATURATE,
+                                 GL_SRC_ALPHA,
+                                 GL_ONE_MINUS_SRC_ALPHA,
+                                 GL_CONSTANT_COLOR,
+                                 GL_ONE_MINUS_CONSTANT_COLOR};
   return kFactors[d3d - 1];
 }
 
@@ -51,8 +62,7 @@ void BindBlending(const RenderStates& states) {
   Switch(GL_BLEND, states.blend);
   if (!states.blend) return;
   const Factors color = BlendFactors(states.src_blend, states.dest_blend);
-  const Factors alpha =
-      states.separate_alpha ? BlendFactors(states.src_blend_alpha, states.dest_blend_alpha) : color;
+  const Factors alpha = states.separate_alpha ? BlendFactors(states.src_blend_alpha, states.dest_blend_alpha) : color;
   glBlendFuncSeparate(color.src, color.dest, alpha.src, alpha.dest);
   glBlendEquationSeparate(BlendOp(states.blend_op),
                           BlendOp(states.separate_alpha ? states.blend_op_alpha : states.blend_op));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cctype>
-#include <set>
+#include "core/effect/technique_choice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
+#include <set>
+
 #include "core/effect/effect_runner.h"
-#include "core/effect/technique_choice.h"
 #include "core/effect/text.h"
 #include "fx_parser/source/diagnostic.h"
 
@@ -32,18 +33,20 @@ Result<TechniqueChoice> ChooseNamed(const fx::Effect& effect, const std::string&
       continue;
     }
     if (const std::string reason = Reason(technique); !reason.empty()) {
-      return Fail(ErrorKind::kInput, fmt::format("{}: technique '{}' cannot run here: {}", effect.path, wanted, reason));
+      return Fail(ErrorKind::kInput,
+                  fmt::format("{}: technique '{}' cannot run here: {}", effect.path, wanted, reason));
     }
     return TechniqueChoice{.technique = i, .rejected = {}};
   }
   if (names.empty()) {
-    return Fail(ErrorKind::kUsage, fmt::format("{} has no technique '{}'; none of its techniques has a name",
-                                               effect.path, wanted));
+    return Fail(ErrorKind::kUsage,
+                fmt::format("{} has no technique '{}'; none of its techniques has a name", effect.path, wanted));
   }
   const std::string near = fx::NearestName(wanted, names);
   return Fail(ErrorKind::kUsage,
-              near.empty() ? fmt::format("{} has no technique '{}'; it has {}", effect.path, wanted, fmt::join(names, ", "))
-                           : fmt::format("{} has no technique '{}'; did you mean '{}'?", effect.path, wanted, near));
+              near.empty()
+                  ? fmt::format("{} has no technique '{}'; it has {}", effect.path, wanted, fmt::join(names, ", "))
+                  : fmt::format("{} has no technique '{}'; did you mean '{}'?", effect.path, wanted, near));
 }
 
 bool FindUsable(const fx::Effect& effect, std::size_t first, TechniqueChoice& choice) {

@@ -11,6 +11,7 @@
 #include "core/gbuffer/geometry_shader.h"
 #include "core/gbuffer/material_texture.h"
 #include "core/gl/debug.h"
+#include "core/gl/device_choice.h"
 
 namespace burin::gbuffer {
 namespace {
@@ -60,7 +61,7 @@ std::uint32_t SamplerKey(const scene::TextureSampler& sampler) {
 float DeviceAnisotropy() {
   if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (renderer != nullptr && std::strstr(renderer, "llvmpipe") != nullptr) return 1.0f;
+  if (renderer != nullptr && gl::IsSoftwareRenderer(renderer)) return 1.0f;
   GLfloat most = 1.0f;
   glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
   return std::min(most, kMaxAnisotropy);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <list>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/gbuffer/attribute_renderer.h"

@@ -88,11 +88,12 @@ EglContext& EglContext::operator=(EglContext&& other) noexcept {
 
 EglContext::~EglContext() { Close(); }
 
+// The display stays initialised: EGL shares it with the whole process and hands it out again, and terminating it would
+// unload the driver under the tools that name its leaks.
 void EglContext::Close() {
   if (display_ == nullptr) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   if (context_ != nullptr) eglDestroyContext(display_, context_);
-  eglTerminate(display_);
   display_ = nullptr;
   context_ = nullptr;
 }

@@ -24,10 +24,10 @@ class EffectBuilder {
 
  private:
   struct Shader {
-    bool present = false;           ///< false: NULL
+    bool present = false;  ///< false: NULL
     EntryPoint entry;
-    std::string unsupported;        ///< why this host cannot run it
-    bool failed = false;            ///< reported
+    std::string unsupported;  ///< why this host cannot run it
+    bool failed = false;      ///< reported
   };
   struct PassShaders {
     std::optional<Shader> vertex;
@@ -61,7 +61,8 @@ class EffectBuilder {
   // techniques
   void BuildTechniques();
   void BuildPass(ast::Pass& source, Technique& technique);
-  void BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders, std::vector<std::string>& unsupported);
+  void BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders,
+                      std::vector<std::string>& unsupported);
   void WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported);
   void FindTargets(Technique& technique, Pass& pass);
   void CheckDataFlow(const Technique& technique, const Pass& pass, int index);

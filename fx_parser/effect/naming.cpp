@@ -21,8 +21,10 @@ int ToNumber(std::string_view text) {
 std::vector<std::string> Split(std::string_view name) {
   std::vector<std::string> tokens(1);
   for (const char c : name) {
-    if (c == '_') tokens.emplace_back();
-    else tokens.back() += c;
+    if (c == '_')
+      tokens.emplace_back();
+    else
+      tokens.back() += c;
   }
   return tokens;
 }
@@ -48,7 +50,8 @@ std::string ParseModifiers(const std::vector<std::string>& tokens, std::size_t f
       auto* pass = std::get_if<PassResultRole>(&result.role);
       if (pass == nullptr) return "only pass results have render targets, so '_" + tokens[i] + "' has no place here";
       pass->target = ToNumber(std::string_view(token).substr(2));
-      if (pass->target >= kMaxTargets) return "render target " + token.substr(2) + " is too high: the last is " + std::to_string(kMaxTargets - 1);
+      if (pass->target >= kMaxTargets)
+        return "render target " + token.substr(2) + " is too high: the last is " + std::to_string(kMaxTargets - 1);
       has_target = true;
     } else if (token.starts_with("s") && IsNumber(token.substr(1)) && !has_scale) {
       result.scale = ToNumber(std::string_view(token).substr(1));
@@ -64,7 +67,8 @@ std::string ParseModifiers(const std::vector<std::string>& tokens, std::size_t f
     } else if (token.starts_with("s") && !has_scale) {
       return "malformed scale '_" + tokens[i] + "': expected _S3 or _S0_5";
     } else {
-      return "unexpected '_" + tokens[i] + "': expected _S<scale>" + (result.role.index() == 1 ? " or _RT<target>" : "") + " once";
+      return "unexpected '_" + tokens[i] + "': expected _S<scale>" +
+             (result.role.index() == 1 ? " or _RT<target>" : "") + " once";
     }
   }
   return {};
@@ -77,12 +81,14 @@ bool IsExtensionName(std::string_view name) {
   return name.starts_with("PASS") && name.size() > 4 && IsDigit(name[4]);
 }
 
-std::variant<ExtensionName, NamingError> ParseExtensionName(std::string_view name, const std::vector<std::string>& attributes) {
+std::variant<ExtensionName, NamingError> ParseExtensionName(std::string_view name,
+                                                            const std::vector<std::string>& attributes) {
   const std::vector<std::string> tokens = Split(name);
   const bool is_attribute = name.starts_with("GBA");
   const std::string quoted = "texture '" + std::string(name) + "'";
   if (tokens.size() < 2) {
-    return NamingError{"B1003", quoted + " names no format: expected " + (is_attribute ? "GBA<attribute>_<FORMAT>" : "PASS<k>_<FORMAT>")};
+    return NamingError{"B1003", quoted + " names no format: expected " +
+                                    (is_attribute ? "GBA<attribute>_<FORMAT>" : "PASS<k>_<FORMAT>")};
   }
   // An attribute of a technique may hold underscores itself, so the format is the first token that is one.
   std::size_t at = 1;
@@ -93,13 +99,16 @@ std::variant<ExtensionName, NamingError> ParseExtensionName(std::string_view nam
     std::string attribute = LowerCase(tokens[0].substr(3));
     for (std::size_t i = 1; i < at; ++i) attribute += "_" + LowerCase(tokens[i]);
     if (std::ranges::find(attributes, attribute) == attributes.end()) {
-      return NamingError{"B1001", quoted + ": unknown attribute '" + attribute + "'" + Suggestion(attribute, attributes)};
+      return NamingError{"B1001",
+                         quoted + ": unknown attribute '" + attribute + "'" + Suggestion(attribute, attributes)};
     }
     result.role = AttributeRole{attribute, false};
   } else {
     const std::string number = tokens[0].substr(4);
     if (!IsNumber(number) || ToNumber(number) > kMaxPass) {
-      return NamingError{"B1003", quoted + ": '" + number + "' is no pass number: expected PASS<k>_<FORMAT> with k from 0 to " + std::to_string(kMaxPass)};
+      return NamingError{"B1003", quoted + ": '" + number +
+                                      "' is no pass number: expected PASS<k>_<FORMAT> with k from 0 to " +
+                                      std::to_string(kMaxPass)};
     }
     result.role = PassResultRole{ToNumber(number), 0};
   }

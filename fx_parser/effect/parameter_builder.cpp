@@ -7,7 +7,8 @@
 
 namespace burin::fx {
 
-EffectBuilder::EffectBuilder(Checker& checker, const ast::Module& module, std::vector<std::string> attributes, Effect& effect)
+EffectBuilder::EffectBuilder(Checker& checker, const ast::Module& module, std::vector<std::string> attributes,
+                             Effect& effect)
     : checker_(checker),
       diagnostics_(checker.diagnostics()),
       attributes_(std::move(attributes)),
@@ -38,7 +39,8 @@ std::vector<EffectAnnotation> EffectBuilder::BuildAnnotations(std::vector<ast::A
       if (auto constant = EvaluateAs(*annotation.value, type)) {
         value = std::move(*constant);
       } else {
-        diagnostics_.Error(annotation.value->range, "X3011", "'" + annotation.name + "': initial value must be a literal expression");
+        diagnostics_.Error(annotation.value->range, "X3011",
+                           "'" + annotation.name + "': initial value must be a literal expression");
         continue;
       }
     }

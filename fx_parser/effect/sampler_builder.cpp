@@ -6,8 +6,8 @@
 namespace burin::fx {
 namespace {
 
-/// Direct3D 10's Filter names: MIN_MAG_MIP_LINEAR, MIN_MAG_LINEAR_MIP_POINT ... ANISOTROPIC. The kind that follows a letter
-/// group holds for every group before it that has none yet.
+/// Direct3D 10's Filter names: MIN_MAG_MIP_LINEAR, MIN_MAG_LINEAR_MIP_POINT ... ANISOTROPIC. The kind that follows a
+/// letter group holds for every group before it that has none yet.
 bool ParseFilter(std::string_view text, int& min, int& mag, int& mip) {
   const std::string name = LowerCase(text);
   if (name == "anisotropic") {
@@ -21,9 +21,12 @@ bool ParseFilter(std::string_view text, int& min, int& mag, int& mip) {
   while (begin <= name.size()) {
     const std::size_t end = std::min(name.find('_', begin), name.size());
     const std::string token = name.substr(begin, end - begin);
-    if (token == "min") waiting.push_back(&min);
-    else if (token == "mag") waiting.push_back(&mag);
-    else if (token == "mip") waiting.push_back(&mip);
+    if (token == "min")
+      waiting.push_back(&min);
+    else if (token == "mag")
+      waiting.push_back(&mag);
+    else if (token == "mip")
+      waiting.push_back(&mip);
     else if (token == "linear" || token == "point") {
       for (int* filter : waiting) *filter = token == "linear" ? 2 : 1;
       any = any || !waiting.empty();
@@ -57,7 +60,8 @@ void EffectBuilder::ResolveSamplerTexture(ast::StateAssignment& assignment, Samp
   if (name == nullptr || EqualsIgnoringCase(name->name, "NULL")) {
     const auto* zero = assignment.value != nullptr ? std::get_if<ast::IntLiteral>(&assignment.value->node) : nullptr;
     if (name == nullptr && (zero == nullptr || zero->value != 0)) {
-      diagnostics_.Error(assignment.range, "X3020", "sampler '" + sampler.name + "': Texture takes the name of a texture");
+      diagnostics_.Error(assignment.range, "X3020",
+                         "sampler '" + sampler.name + "': Texture takes the name of a texture");
     }
     return;
   }
@@ -66,14 +70,16 @@ void EffectBuilder::ResolveSamplerTexture(ast::StateAssignment& assignment, Samp
     std::vector<std::string> names;
     for (const Texture& candidate : effect_.textures) names.push_back(candidate.name);
     const std::string near = NearestName(name->name, names);
-    diagnostics_.Error(assignment.value->range, "X3004",
-                       "undeclared identifier '" + name->name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    diagnostics_.Error(
+        assignment.value->range, "X3004",
+        "undeclared identifier '" + name->name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return;
   }
   const auto at = textures_.find(texture);
   if (at == textures_.end()) {
     if (texture->type.kind != TypeKind::kError) {
-      diagnostics_.Error(assignment.value->range, "X3020", "'" + name->name + "' is a " + ToString(texture->type) + ", a texture was expected");
+      diagnostics_.Error(assignment.value->range, "X3020",
+                         "'" + name->name + "' is a " + ToString(texture->type) + ", a texture was expected");
     }
     return;
   }
@@ -98,15 +104,18 @@ void EffectBuilder::ResolveSamplerState(ast::StateAssignment& assignment, Sample
   if (info == nullptr) {
     if (IsHarmlessSamplerState(assignment.name)) return;
     const std::string near = NearestName(assignment.name, KnownSamplerStates());
-    diagnostics_.Warning(assignment.name_range, "B1009", "unknown sampler state '" + assignment.name + "' is ignored" +
-                                                             (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    diagnostics_.Warning(assignment.name_range, "B1009",
+                         "unknown sampler state '" + assignment.name + "' is ignored" +
+                             (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return;
   }
-  auto value = ResolveState(*assignment.value, std::string(info->name), static_cast<int>(info->kind), info->values, assignment.form);
+  auto value = ResolveState(*assignment.value, std::string(info->name), static_cast<int>(info->kind), info->values,
+                            assignment.form);
   if (!value) return;
   sampler.states.push_back({info->state, std::move(*value), assignment.range});
   if (info->state == SamplerStateName::kMinFilter) {
-    if (const auto mip = ImpliedMipFilter(*assignment.value)) sampler.states.push_back(Constant(SamplerStateName::kMipFilter, *mip, assignment.range));
+    if (const auto mip = ImpliedMipFilter(*assignment.value))
+      sampler.states.push_back(Constant(SamplerStateName::kMipFilter, *mip, assignment.range));
   }
 }
 
@@ -123,9 +132,12 @@ void EffectBuilder::BuildSampler(const ast::Variable& variable, int element, ast
   }
   const Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;
   const bool typed = sampler.dimension != Dimension::kUnknown;
-  if (texture != nullptr && typed && texture->dimension != Dimension::kUnknown && texture->dimension != sampler.dimension) {
-    diagnostics_.Error(variable.range, "B1018", "sampler '" + sampler.name + "' is a " + ToString(variable.type) + ", but its texture '" +
-                                                    texture->name + "' is not")
+  if (texture != nullptr && typed && texture->dimension != Dimension::kUnknown &&
+      texture->dimension != sampler.dimension) {
+    diagnostics_
+        .Error(variable.range, "B1018",
+               "sampler '" + sampler.name + "' is a " + ToString(variable.type) + ", but its texture '" +
+                   texture->name + "' is not")
         .notes.push_back({texture->range, "'" + texture->name + "' was declared here"});
   }
   samplers_[{&variable, element}] = effect_.samplers.size();
@@ -139,13 +151,16 @@ void EffectBuilder::BuildSamplers() {
       BuildSampler(*variable, -1, variable->initializer.get());
       continue;
     }
-    auto* list = variable->initializer != nullptr ? std::get_if<ast::InitializerList>(&variable->initializer->node) : nullptr;
+    auto* list =
+        variable->initializer != nullptr ? std::get_if<ast::InitializerList>(&variable->initializer->node) : nullptr;
     if (variable->type.array.size() != 1 || variable->type.array[0] > 64) {
-      diagnostics_.Error(variable->range, "X3059", "'" + variable->name + "': an array of samplers has one dimension and at most 64 elements");
+      diagnostics_.Error(variable->range, "X3059",
+                         "'" + variable->name + "': an array of samplers has one dimension and at most 64 elements");
       continue;
     }
     for (std::uint32_t i = 0; i < variable->type.array[0]; ++i) {
-      BuildSampler(*variable, static_cast<int>(i), list != nullptr && i < list->elements.size() ? list->elements[i].get() : nullptr);
+      BuildSampler(*variable, static_cast<int>(i),
+                   list != nullptr && i < list->elements.size() ? list->elements[i].get() : nullptr);
     }
   }
 }

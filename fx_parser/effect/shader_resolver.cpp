@@ -24,7 +24,9 @@ const ast::Function* EffectBuilder::FindEntry(const ast::Compile& compile) {
   const auto candidates = checker_.FindFunctions(compile.function);
   if (candidates.empty()) {
     const std::string near = NearestName(compile.function, checker_.FunctionNames());
-    diagnostics_.Error(compile.function_range, "X3501", "'" + compile.function + "': entrypoint not found" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    diagnostics_.Error(
+        compile.function_range, "X3501",
+        "'" + compile.function + "': entrypoint not found" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return nullptr;
   }
   // Overloads: the one whose uniform parameters the arguments fill.
@@ -44,7 +46,8 @@ EffectBuilder::Shader EffectBuilder::ResolveCompile(ast::Compile& compile, const
   }
   const ProfileStage wanted = vertex ? ProfileStage::kVertex : ProfileStage::kPixel;
   if (profile.stage != ProfileStage::kEither && profile.stage != wanted) {
-    diagnostics_.Error(compile.profile_range, "B1017", "'" + compile.profile + "' is no profile of a " + (vertex ? "vertex" : "pixel") + " shader");
+    diagnostics_.Error(compile.profile_range, "B1017",
+                       "'" + compile.profile + "' is no profile of a " + (vertex ? "vertex" : "pixel") + " shader");
     shader.failed = true;
     return shader;
   }
@@ -61,18 +64,22 @@ EffectBuilder::Shader EffectBuilder::ResolveCompile(ast::Compile& compile, const
   for (const auto& parameter : shader.entry.function->parameters) {
     const bool is_sampler = parameter->type.kind == TypeKind::kSampler || parameter->type.kind == TypeKind::kTexture;
     if (!is_sampler && (parameter->qualifiers & ast::kUniform) == 0) continue;
-    if (at < compile.arguments.size() && !checker_.RequireConversion(*compile.arguments[at], parameter->type)) shader.failed = true;
+    if (at < compile.arguments.size() && !checker_.RequireConversion(*compile.arguments[at], parameter->type))
+      shader.failed = true;
     ++at;
   }
   return shader;
 }
 
-EffectBuilder::Shader EffectBuilder::ResolveShaderElement(ast::Index& index, const Range& range, bool vertex, int depth) {
+EffectBuilder::Shader EffectBuilder::ResolveShaderElement(ast::Index& index, const Range& range, bool vertex,
+                                                          int depth) {
   Shader failed;
   failed.failed = true;
   const auto* name = std::get_if<ast::Name>(&index.operand->node);
   ast::Variable* array = name != nullptr ? checker_.FindGlobal(name->name) : nullptr;
-  auto* list = array != nullptr && array->initializer != nullptr ? std::get_if<ast::InitializerList>(&array->initializer->node) : nullptr;
+  auto* list = array != nullptr && array->initializer != nullptr
+                   ? std::get_if<ast::InitializerList>(&array->initializer->node)
+                   : nullptr;
   if (list == nullptr) {
     diagnostics_.Error(range, "X3020", "an array of shaders was expected here");
     return failed;
@@ -86,11 +93,14 @@ EffectBuilder::Shader EffectBuilder::ResolveShaderElement(ast::Index& index, con
   const auto value = EvaluateAs(*index.index, ScalarType(Scalar::kInt), lookup);
   const double at = value ? value->numbers[0] : -1;
   if (at < 0 || at >= static_cast<double>(list->elements.size())) {
-    diagnostics_.Error(index.index->range, "X3504", "index out of bounds: '" + array->name + "' has " + std::to_string(list->elements.size()) + " shaders");
+    diagnostics_.Error(
+        index.index->range, "X3504",
+        "index out of bounds: '" + array->name + "' has " + std::to_string(list->elements.size()) + " shaders");
     return failed;
   }
   if (!defaults.empty()) {
-    diagnostics_.Warning(index.index->range, "B1011", "a shader is chosen by the parameter's initial value, not by what it is set to later");
+    diagnostics_.Warning(index.index->range, "B1011",
+                         "a shader is chosen by the parameter's initial value, not by what it is set to later");
   }
   return ResolveShader(*list->elements[static_cast<std::size_t>(at)], vertex, depth + 1);
 }
@@ -108,8 +118,10 @@ EffectBuilder::Shader EffectBuilder::ResolveShader(ast::Expression& value, bool 
     shader.unsupported = "asm shaders";
     return shader;
   }
-  if (const auto* literal = std::get_if<ast::IntLiteral>(&value.node); literal != nullptr && literal->value == 0) return shader;
-  if (auto* index = std::get_if<ast::Index>(&value.node)) return ResolveShaderElement(*index, value.range, vertex, depth);
+  if (const auto* literal = std::get_if<ast::IntLiteral>(&value.node); literal != nullptr && literal->value == 0)
+    return shader;
+  if (auto* index = std::get_if<ast::Index>(&value.node))
+    return ResolveShaderElement(*index, value.range, vertex, depth);
   if (const auto* name = std::get_if<ast::Name>(&value.node)) {
     if (EqualsIgnoringCase(name->name, "NULL")) return shader;
     const ast::Variable* variable = checker_.FindGlobal(name->name);

@@ -22,7 +22,8 @@ double PackColor(const std::vector<double>& color) {
 }
 
 Value StateConstant(const Value& value, StateKind kind) {
-  if (kind == StateKind::kColor && value.numbers.size() > 1) return Value{ScalarType(Scalar::kUint), {PackColor(value.numbers)}, {}};
+  if (kind == StateKind::kColor && value.numbers.size() > 1)
+    return Value{ScalarType(Scalar::kUint), {PackColor(value.numbers)}, {}};
   if (kind == StateKind::kFloat) return Value{ScalarType(Scalar::kFloat), {value.numbers[0]}, {}};
   // States are DWORDs: 0xffffffff is an int literal of value -1.
   if (kind == StateKind::kColor || value.type.scalar == Scalar::kUint || value.numbers[0] < 0) {
@@ -53,21 +54,25 @@ std::optional<int> EffectBuilder::EnumerantValue(const ast::Expression& value, s
 }
 
 std::optional<StateValue> EffectBuilder::ResolveState(ast::Expression& value, const std::string& state, int kind,
-                                                      std::span<const Enumerant> values, ast::StateAssignment::Form form) {
+                                                      std::span<const Enumerant> values,
+                                                      ast::StateAssignment::Form form) {
   const auto state_kind = static_cast<StateKind>(kind);
   // `<name>` is always a parameter; elsewhere a value's name goes before a parameter's, as in Direct3D.
   if (form != ast::StateAssignment::Form::kAngled) {
     if (const auto number = EnumerantValue(value, values)) {
-      return state_kind == StateKind::kFloat ? Value{ScalarType(Scalar::kFloat), {static_cast<double>(*number)}, {}} : IntegerValue(*number);
+      return state_kind == StateKind::kFloat ? Value{ScalarType(Scalar::kFloat), {static_cast<double>(*number)}, {}}
+                                             : IntegerValue(*number);
     }
   }
-  if (const auto* name = std::get_if<ast::Name>(&value.node); name != nullptr && checker_.FindGlobal(name->name) == nullptr) {
+  if (const auto* name = std::get_if<ast::Name>(&value.node);
+      name != nullptr && checker_.FindGlobal(name->name) == nullptr) {
     std::vector<std::string> names;
     for (const Enumerant& enumerant : values) names.emplace_back(enumerant.name);
     const std::string near = NearestName(name->name, names);
-    diagnostics_.Error(value.range, "X3004", "undeclared identifier '" + name->name + "' as value of " + state +
-                                                 (near.empty() ? ": expected a number, a parameter or one of true, false, " + Choices(values)
-                                                               : "; did you mean '" + near + "'?"));
+    diagnostics_.Error(value.range, "X3004",
+                       "undeclared identifier '" + name->name + "' as value of " + state +
+                           (near.empty() ? ": expected a number, a parameter or one of true, false, " + Choices(values)
+                                         : "; did you mean '" + near + "'?"));
     return std::nullopt;
   }
   const Type type = checker_.CheckExpression(value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers: learn.microsoft.com, D3DRENDERSTATETYPE and the enumerations it names, D3DSAMPLERSTATETYPE, D3DTEXTUREFILTERTYPE,
-// D3DTEXTUREADDRESS; "Effect States (Direct3D 9)". Cg's names of the same values stand beside them.
+// Numbers: learn.microsoft.com, D3DRENDERSTATETYPE and the enumerations it names, D3DSAMPLERSTATETYPE,
+// D3DTEXTUREFILTERTYPE, D3DTEXTUREADDRESS; "Effect States (Direct3D 9)". Cg's names of the same values stand beside
+// them.
 #include "fx_parser/effect/state_table.h"
 
 #include <algorithm>
@@ -13,20 +14,39 @@ namespace {
 
 constexpr Enumerant kNoValues[] = {{"none", 0}};
 constexpr Enumerant kZBuffer[] = {{"usew", 2}, {"none", 0}};
-constexpr Enumerant kCompare[] = {{"never", 1},   {"less", 2},         {"equal", 3},  {"lessequal", 4}, {"lequal", 4}, {"greater", 5},
-                                  {"notequal", 6}, {"greaterequal", 7}, {"gequal", 7}, {"always", 8}};
+constexpr Enumerant kCompare[] = {{"never", 1},  {"less", 2},    {"equal", 3},    {"lessequal", 4},
+                                  {"lequal", 4}, {"greater", 5}, {"notequal", 6}, {"greaterequal", 7},
+                                  {"gequal", 7}, {"always", 8}};
 constexpr Enumerant kCull[] = {{"none", 1}, {"cw", 2}, {"ccw", 3}};
 constexpr Enumerant kFill[] = {{"point", 1}, {"wireframe", 2}, {"solid", 3}};
-constexpr Enumerant kBlend[] = {{"zero", 1},          {"one", 2},         {"srccolor", 3},         {"invsrccolor", 4},
-                                {"srcalpha", 5},      {"invsrcalpha", 6}, {"destalpha", 7},        {"invdestalpha", 8},
-                                {"destcolor", 9},     {"invdestcolor", 10}, {"srcalphasat", 11},   {"bothsrcalpha", 12},
-                                {"bothinvsrcalpha", 13}, {"blendfactor", 14}, {"invblendfactor", 15}, {"oneminussrcalpha", 6},
-                                {"oneminussrccolor", 4}, {"oneminusdestcolor", 10}, {"oneminusdestalpha", 8}, {"dstalpha", 7},
-                                {"dstcolor", 9}, {"invdstalpha", 8}, {"invdstcolor", 10}, {"srcalphasaturate", 11}};
-constexpr Enumerant kBlendOps[] = {{"add", 1}, {"subtract", 2}, {"revsubtract", 3}, {"min", 4}, {"max", 5},
-                                  {"funcadd", 1}, {"funcsubtract", 2}, {"funcreversesubtract", 3}};
-constexpr Enumerant kStencilOp[] = {{"keep", 1},   {"zero", 2}, {"replace", 3}, {"incrsat", 4}, {"decrsat", 5},
-                                    {"invert", 6}, {"incr", 7}, {"decr", 8}};
+constexpr Enumerant kBlend[] = {{"zero", 1},
+                                {"one", 2},
+                                {"srccolor", 3},
+                                {"invsrccolor", 4},
+                                {"srcalpha", 5},
+                                {"invsrcalpha", 6},
+                                {"destalpha", 7},
+                                {"invdestalpha", 8},
+                                {"destcolor", 9},
+                                {"invdestcolor", 10},
+                                {"srcalphasat", 11},
+                                {"bothsrcalpha", 12},
+                                {"bothinvsrcalpha", 13},
+                                {"blendfactor", 14},
+                                {"invblendfactor", 15},
+                                {"oneminussrcalpha", 6},
+                                {"oneminussrccolor", 4},
+                                {"oneminusdestcolor", 10},
+                                {"oneminusdestalpha", 8},
+                                {"dstalpha", 7},
+                                {"dstcolor", 9},
+                                {"invdstalpha", 8},
+                                {"invdstcolor", 10},
+                                {"srcalphasaturate", 11}};
+constexpr Enumerant kBlendOps[] = {{"add", 1}, {"subtract", 2}, {"revsubtract", 3},  {"min", 4},
+                                   {"max", 5}, {"funcadd", 1},  {"funcsubtract", 2}, {"funcreversesubtract", 3}};
+constexpr Enumerant kStencilOp[] = {{"keep", 1},    {"zero", 2},   {"replace", 3}, {"incrsat", 4},
+                                    {"decrsat", 5}, {"invert", 6}, {"incr", 7},    {"decr", 8}};
 constexpr Enumerant kChannels[] = {{"red", 1}, {"green", 2}, {"blue", 4}, {"alpha", 8}, {"none", 0}, {"all", 15}};
 
 using enum RenderState;
@@ -81,12 +101,20 @@ constexpr RS kRenderStates[] = {
     {"StencilTestEnable", kStencilEnable, kI, kNoValues},
 };
 
-constexpr Enumerant kFilter[] = {{"none", 0}, {"point", 1}, {"nearest", 1}, {"linear", 2}, {"anisotropic", 3},
-                                 {"pyramidalquad", 6}, {"gaussianquad", 7},
-                                 {"nearestmipmapnearest", 1}, {"nearestmipmaplinear", 1},
-                                 {"linearmipmapnearest", 2}, {"linearmipmaplinear", 2}};
-constexpr Enumerant kAddress[] = {{"wrap", 1}, {"mirror", 2}, {"clamp", 3}, {"border", 4}, {"mirroronce", 5},
-                                  {"repeat", 1}, {"mirroredrepeat", 2}, {"clamptoedge", 3}, {"clamptoborder", 4}};
+constexpr Enumerant kFilter[] = {{"none", 0},
+                                 {"point", 1},
+                                 {"nearest", 1},
+                                 {"linear", 2},
+                                 {"anisotropic", 3},
+                                 {"pyramidalquad", 6},
+                                 {"gaussianquad", 7},
+                                 {"nearestmipmapnearest", 1},
+                                 {"nearestmipmaplinear", 1},
+                                 {"linearmipmapnearest", 2},
+                                 {"linearmipmaplinear", 2}};
+constexpr Enumerant kAddress[] = {{"wrap", 1},           {"mirror", 2},      {"clamp", 3},
+                                  {"border", 4},         {"mirroronce", 5},  {"repeat", 1},
+                                  {"mirroredrepeat", 2}, {"clamptoedge", 3}, {"clamptoborder", 4}};
 using SS = StateInfo<SamplerStateName>;
 using Sampling = SamplerStateName;
 constexpr SS kSamplerStates[] = {
@@ -108,38 +136,157 @@ constexpr SS kSamplerStates[] = {
     {"SRGBTexture", Sampling::kSrgbTexture, kI, kNoValues},
 };
 
-constexpr std::string_view kHarmlessSamplerStates[] = {"generatemipmap", "minlod", "maxlod", "elementindex", "dmapoffset", "comparefunc",
-                                                       "comparemode", "depthmode"};
+constexpr std::string_view kHarmlessSamplerStates[] = {"generatemipmap", "minlod",      "maxlod",      "elementindex",
+                                                       "dmapoffset",     "comparefunc", "comparemode", "depthmode"};
 
-constexpr std::string_view kHarmless[] = {
-    "shademode", "lastpixel", "ditherenable", "fogenable", "fogcolor", "fogtablemode", "fogstart", "fogend", "fogdensity",
-    "fogvertexmode", "rangefogenable", "wrap0", "wrap1", "wrap2", "wrap3", "wrap4", "wrap5", "wrap6", "wrap7", "clipping",
-    "clipplaneenable", "pointsize", "pointsize_min", "pointsize_max", "pointspriteenable", "pointscaleenable", "pointscale_a",
-    "pointscale_b", "pointscale_c", "multisampleantialias", "multisamplemask", "patchedgestyle", "patchsegments", "debugmonitortoken",
-    "indexedvertexblendenable", "antialiasedlineenable", "mintessellationlevel", "maxtessellationlevel", "adaptivetess_x",
-    "adaptivetess_y", "adaptivetess_z", "adaptivetess_w", "enableadaptivetessellation", "positiondegree", "normaldegree",
-    "npatchmode", "tweenfactor", "texturefactor", "fvf", "histencilenable", "histencilwriteenable", "polygonmode"};
-constexpr std::string_view kFixedVertex[] = {
-    "lighting", "ambient", "specularenable", "normalizenormals", "localviewer", "colorvertex", "vertexblend",
-    "diffusematerialsource", "specularmaterialsource", "ambientmaterialsource", "emissivematerialsource", "materialambient",
-    "materialdiffuse", "materialemissive", "materialpower", "materialspecular", "lighttype", "lightdiffuse", "lightspecular",
-    "lightambient", "lightposition", "lightdirection", "lightrange", "lightfalloff", "lightattenuation0", "lightattenuation1",
-    "lightattenuation2", "lighttheta", "lightphi", "lightenable", "worldtransform", "viewtransform", "projectiontransform",
-    "texturetransform", "vertexshaderconstant", "vertexshaderconstantf", "vertexshaderconstantb", "vertexshaderconstanti",
-    "vertexshaderconstant1", "vertexshaderconstant2", "vertexshaderconstant3", "vertexshaderconstant4"};
-constexpr std::string_view kFixedPixel[] = {
-    "colorop", "colorarg0", "colorarg1", "colorarg2", "alphaop", "alphaarg0", "alphaarg1", "alphaarg2", "resultarg",
-    "bumpenvmat00", "bumpenvmat01", "bumpenvmat10", "bumpenvmat11", "bumpenvlscale", "bumpenvloffset", "texcoordindex",
-    "texturetransformflags", "texture", "sampler", "minfilter", "magfilter", "mipfilter", "addressu", "addressv", "addressw",
-    "bordercolor", "maxanisotropy", "maxmiplevel", "mipmaplodbias", "srgbtexture", "elementindex", "dmapoffset",
-    "pixelshaderconstant", "pixelshaderconstantf", "pixelshaderconstantb", "pixelshaderconstanti", "pixelshaderconstant1",
-    "pixelshaderconstant2", "pixelshaderconstant3", "pixelshaderconstant4", "constant", "texturestage"};
-constexpr std::string_view kOtherStages[] = {"geometryshader", "geometryprogram", "hullshader", "domainshader", "computeshader",
-                                             "tessellationcontrolprogram", "tessellationevaluationprogram"};
+constexpr std::string_view kHarmless[] = {"shademode",
+                                          "lastpixel",
+                                          "ditherenable",
+                                          "fogenable",
+                                          "fogcolor",
+                                          "fogtablemode",
+                                          "fogstart",
+                                          "fogend",
+                                          "fogdensity",
+                                          "fogvertexmode",
+                                          "rangefogenable",
+                                          "wrap0",
+                                          "wrap1",
+                                          "wrap2",
+                                          "wrap3",
+                                          "wrap4",
+                                          "wrap5",
+                                          "wrap6",
+                                          "wrap7",
+                                          "clipping",
+                                          "clipplaneenable",
+                                          "pointsize",
+                                          "pointsize_min",
+                                          "pointsize_max",
+                                          "pointspriteenable",
+                                          "pointscaleenable",
+                                          "pointscale_a",
+                                          "pointscale_b",
+                                          "pointscale_c",
+                                          "multisampleantialias",
+                                          "multisamplemask",
+                                          "patchedgestyle",
+                                          "patchsegments",
+                                          "debugmonitortoken",
+                                          "indexedvertexblendenable",
+                                          "antialiasedlineenable",
+                                          "mintessellationlevel",
+                                          "maxtessellationlevel",
+                                          "adaptivetess_x",
+                                          "adaptivetess_y",
+                                          "adaptivetess_z",
+                                          "adaptivetess_w",
+                                          "enableadaptivetessellation",
+                                          "positiondegree",
+                                          "normaldegree",
+                                          "npatchmode",
+                                          "tweenfactor",
+                                          "texturefactor",
+                                          "fvf",
+                                          "histencilenable",
+                                          "histencilwriteenable",
+                                          "polygonmode"};
+constexpr std::string_view kFixedVertex[] = {"lighting",
+                                             "ambient",
+                                             "specularenable",
+                                             "normalizenormals",
+                                             "localviewer",
+                                             "colorvertex",
+                                             "vertexblend",
+                                             "diffusematerialsource",
+                                             "specularmaterialsource",
+                                             "ambientmaterialsource",
+                                             "emissivematerialsource",
+                                             "materialambient",
+                                             "materialdiffuse",
+                                             "materialemissive",
+                                             "materialpower",
+                                             "materialspecular",
+                                             "lighttype",
+                                             "lightdiffuse",
+                                             "lightspecular",
+                                             "lightambient",
+                                             "lightposition",
+                                             "lightdirection",
+                                             "lightrange",
+                                             "lightfalloff",
+                                             "lightattenuation0",
+                                             "lightattenuation1",
+                                             "lightattenuation2",
+                                             "lighttheta",
+                                             "lightphi",
+                                             "lightenable",
+                                             "worldtransform",
+                                             "viewtransform",
+                                             "projectiontransform",
+                                             "texturetransform",
+                                             "vertexshaderconstant",
+                                             "vertexshaderconstantf",
+                                             "vertexshaderconstantb",
+                                             "vertexshaderconstanti",
+                                             "vertexshaderconstant1",
+                                             "vertexshaderconstant2",
+                                             "vertexshaderconstant3",
+                                             "vertexshaderconstant4"};
+constexpr std::string_view kFixedPixel[] = {"colorop",
+                                            "colorarg0",
+                                            "colorarg1",
+                                            "colorarg2",
+                                            "alphaop",
+                                            "alphaarg0",
+                                            "alphaarg1",
+                                            "alphaarg2",
+                                            "resultarg",
+                                            "bumpenvmat00",
+                                            "bumpenvmat01",
+                                            "bumpenvmat10",
+                                            "bumpenvmat11",
+                                            "bumpenvlscale",
+                                            "bumpenvloffset",
+                                            "texcoordindex",
+                                            "texturetransformflags",
+                                            "texture",
+                                            "sampler",
+                                            "minfilter",
+                                            "magfilter",
+                                            "mipfilter",
+                                            "addressu",
+                                            "addressv",
+                                            "addressw",
+                                            "bordercolor",
+                                            "maxanisotropy",
+                                            "maxmiplevel",
+                                            "mipmaplodbias",
+                                            "srgbtexture",
+                                            "elementindex",
+                                            "dmapoffset",
+                                            "pixelshaderconstant",
+                                            "pixelshaderconstantf",
+                                            "pixelshaderconstantb",
+                                            "pixelshaderconstanti",
+                                            "pixelshaderconstant1",
+                                            "pixelshaderconstant2",
+                                            "pixelshaderconstant3",
+                                            "pixelshaderconstant4",
+                                            "constant",
+                                            "texturestage"};
+constexpr std::string_view kOtherStages[] = {"geometryshader",
+                                             "geometryprogram",
+                                             "hullshader",
+                                             "domainshader",
+                                             "computeshader",
+                                             "tessellationcontrolprogram",
+                                             "tessellationevaluationprogram"};
 
 template <class Table>
 bool Contains(const Table& table, std::string_view name) {
-  return std::any_of(std::begin(table), std::end(table), [&](std::string_view entry) { return EqualsIgnoringCase(entry, name); });
+  return std::any_of(std::begin(table), std::end(table),
+                     [&](std::string_view entry) { return EqualsIgnoringCase(entry, name); });
 }
 
 }  // namespace

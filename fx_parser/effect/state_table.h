@@ -24,7 +24,7 @@ struct StateInfo {
   std::string_view name;
   NameType state;
   StateKind kind;
-  std::span<const Enumerant> values;   ///< besides true and false
+  std::span<const Enumerant> values;  ///< besides true and false
 };
 
 [[nodiscard]] std::span<const StateInfo<RenderState>> RenderStates();
@@ -37,11 +37,11 @@ template <class NameType>
 
 /// What a state that this table does not know means for the pass that sets it.
 enum class OtherState {
-  kUnknown,          ///< of no host that we know: a warning
-  kHarmless,         ///< Direct3D 9's, without an effect on shaders here
-  kFixedVertex,      ///< lights, materials, transforms: matters without a vertex shader
-  kFixedPixel,       ///< texture stages: matters without a pixel shader
-  kOtherStage        ///< geometry and tessellation shaders
+  kUnknown,      ///< of no host that we know: a warning
+  kHarmless,     ///< Direct3D 9's, without an effect on shaders here
+  kFixedVertex,  ///< lights, materials, transforms: matters without a vertex shader
+  kFixedPixel,   ///< texture stages: matters without a pixel shader
+  kOtherStage    ///< geometry and tessellation shaders
 };
 [[nodiscard]] OtherState Classify(std::string_view name);
 

@@ -9,8 +9,12 @@
 namespace burin::fx {
 namespace {
 
-bool IsVertexShaderState(std::string_view name) { return EqualsIgnoringCase(name, "VertexShader") || EqualsIgnoringCase(name, "VertexProgram"); }
-bool IsPixelShaderState(std::string_view name) { return EqualsIgnoringCase(name, "PixelShader") || EqualsIgnoringCase(name, "FragmentProgram"); }
+bool IsVertexShaderState(std::string_view name) {
+  return EqualsIgnoringCase(name, "VertexShader") || EqualsIgnoringCase(name, "VertexProgram");
+}
+bool IsPixelShaderState(std::string_view name) {
+  return EqualsIgnoringCase(name, "PixelShader") || EqualsIgnoringCase(name, "FragmentProgram");
+}
 
 /// Whether the pass may test alpha: a constant false says it does not.
 bool SetsAlphaTest(const Pass& pass) {
@@ -23,11 +27,14 @@ bool SetsAlphaTest(const Pass& pass) {
   return sets;
 }
 
-std::string PassTitle(const Pass& pass, int index) { return "pass " + (pass.name.empty() ? std::to_string(index) : "'" + pass.name + "'"); }
+std::string PassTitle(const Pass& pass, int index) {
+  return "pass " + (pass.name.empty() ? std::to_string(index) : "'" + pass.name + "'");
+}
 
 }  // namespace
 
-void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders, std::vector<std::string>& unsupported) {
+void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders,
+                                   std::vector<std::string>& unsupported) {
   if (assignment.is_call || assignment.value == nullptr) {
     unsupported.push_back("Direct3D 10's " + assignment.name);
     return;
@@ -42,24 +49,32 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
   }
   const auto* info = FindState(RenderStates(), assignment.name);
   if (info != nullptr && assignment.index == nullptr) {
-    auto value = ResolveState(*assignment.value, std::string(info->name), static_cast<int>(info->kind), info->values, assignment.form);
+    auto value = ResolveState(*assignment.value, std::string(info->name), static_cast<int>(info->kind), info->values,
+                              assignment.form);
     if (value) pass.states.push_back({info->state, std::move(*value), assignment.range});
     return;
   }
   switch (Classify(assignment.name)) {
-    case OtherState::kHarmless: return;
-    case OtherState::kFixedVertex: shaders.fixed_vertex = true; return;
-    case OtherState::kFixedPixel: shaders.fixed_pixel = true; return;
+    case OtherState::kHarmless:
+      return;
+    case OtherState::kFixedVertex:
+      shaders.fixed_vertex = true;
+      return;
+    case OtherState::kFixedPixel:
+      shaders.fixed_pixel = true;
+      return;
     case OtherState::kOtherStage: {
       const auto* name = std::get_if<ast::Name>(&assignment.value->node);
       if (name == nullptr || !EqualsIgnoringCase(name->name, "NULL")) unsupported.push_back(assignment.name);
       return;
     }
-    case OtherState::kUnknown: break;
+    case OtherState::kUnknown:
+      break;
   }
   const std::string near = NearestName(assignment.name, KnownPassStates());
-  diagnostics_.Warning(assignment.name_range, "B1009", "unknown render state '" + assignment.name + "' is ignored" +
-                                                           (near.empty() ? "" : "; did you mean '" + near + "'?"));
+  diagnostics_.Warning(assignment.name_range, "B1009",
+                       "unknown render state '" + assignment.name + "' is ignored" +
+                           (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported) {
@@ -69,8 +84,9 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
   if (has_pixel && !shaders.pixel->unsupported.empty()) unsupported.push_back(shaders.pixel->unsupported);
   if (shaders.fixed_vertex && !has_vertex) unsupported.push_back("fixed-function vertex states");
   if (shaders.fixed_pixel && !has_pixel) unsupported.push_back("fixed-function texture stages");
-  if (!write_programs_ || !unsupported.empty() || (has_vertex && shaders.vertex->failed) || (has_pixel && shaders.pixel->failed) ||
-      (shaders.vertex && shaders.vertex->failed) || (shaders.pixel && shaders.pixel->failed)) {
+  if (!write_programs_ || !unsupported.empty() || (has_vertex && shaders.vertex->failed) ||
+      (has_pixel && shaders.pixel->failed) || (shaders.vertex && shaders.vertex->failed) ||
+      (shaders.pixel && shaders.pixel->failed)) {
     return;
   }
   ProgramRequest request;
@@ -94,7 +110,10 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
     const Dimension used = text.dimensions.at(binding);
     const Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;
     if (texture != nullptr && texture->dimension != Dimension::kUnknown && texture->dimension != used) {
-      diagnostics_.Error(sampler.range, "B1018", "sampler '" + sampler.name + "' is looked up in another dimension than its texture '" + texture->name + "' has")
+      diagnostics_
+          .Error(sampler.range, "B1018",
+                 "sampler '" + sampler.name + "' is looked up in another dimension than its texture '" + texture->name +
+                     "' has")
           .notes.push_back({pass.range, "by the shaders of this pass"});
     } else if (sampler.dimension == Dimension::kUnknown) {
       sampler.dimension = used;
@@ -107,7 +126,7 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
 }
 
 void EffectBuilder::FindTargets(Technique& technique, Pass& pass) {
-  if (!technique.custom_attribute.empty()) return;   // the host draws those into the attribute's own textures
+  if (!technique.custom_attribute.empty()) return;  // the host draws those into the attribute's own textures
   const int index = static_cast<int>(technique.passes.size());
   std::map<int, std::size_t> targets;
   for (std::size_t i = 0; i < effect_.textures.size(); ++i) {
@@ -122,13 +141,15 @@ void EffectBuilder::CheckDataFlow(const Technique& technique, const Pass& pass, 
     const Sampler& sampler = effect_.samplers[s];
     if (!sampler.texture) continue;
     const Texture& texture = effect_.textures[*sampler.texture];
-    const std::string reads = PassTitle(pass, index) + " of technique '" + technique.name + "' reads texture '" + texture.name + "'";
+    const std::string reads =
+        PassTitle(pass, index) + " of technique '" + technique.name + "' reads texture '" + texture.name + "'";
     const auto* attribute = std::get_if<AttributeRole>(&texture.role);
     const auto* result = std::get_if<PassResultRole>(&texture.role);
     std::string fault;
     std::string code = "B1005";
     const bool own_target = std::ranges::find(pass.targets, *sampler.texture) != pass.targets.end();
-    const bool own_attribute = attribute != nullptr && !technique.custom_attribute.empty() && attribute->attribute == technique.custom_attribute;
+    const bool own_attribute = attribute != nullptr && !technique.custom_attribute.empty() &&
+                               attribute->attribute == technique.custom_attribute;
     if (own_target || own_attribute) {
       fault = ", which it writes";
     } else if (result != nullptr && !technique.custom_attribute.empty()) {
@@ -139,9 +160,11 @@ void EffectBuilder::CheckDataFlow(const Technique& technique, const Pass& pass, 
       code = "B1004";
     }
     if (!fault.empty()) {
-      diagnostics_.Error(pass.range, code, reads + fault).notes.push_back({sampler.range, "through sampler '" + sampler.name + "'"});
+      diagnostics_.Error(pass.range, code, reads + fault)
+          .notes.push_back({sampler.range, "through sampler '" + sampler.name + "'"});
     } else if (result != nullptr && technique.custom_attribute.empty() && result->pass > index) {
-      diagnostics_.Warning(pass.range, "B1010", reads + " before pass " + std::to_string(result->pass) + " has drawn it")
+      diagnostics_
+          .Warning(pass.range, "B1010", reads + " before pass " + std::to_string(result->pass) + " has drawn it")
           .notes.push_back({sampler.range, "through sampler '" + sampler.name + "'"});
     }
   }
@@ -160,7 +183,8 @@ void EffectBuilder::BuildPass(ast::Pass& source, Technique& technique) {
   const int index = static_cast<int>(technique.passes.size());
   for (const std::string& reason : unsupported) {
     const std::string text = PassTitle(pass, index) + ": " + reason;
-    if (std::ranges::find(technique.unsupported, text) == technique.unsupported.end()) technique.unsupported.push_back(text);
+    if (std::ranges::find(technique.unsupported, text) == technique.unsupported.end())
+      technique.unsupported.push_back(text);
   }
   technique.passes.push_back(std::move(pass));
 }
@@ -173,7 +197,8 @@ void EffectBuilder::BuildTechniques() {
     technique.name = source->name;
     technique.range = source->range;
     technique.annotations = BuildAnnotations(source->annotations);
-    if (source->name.starts_with("GBA") && source->name.size() > 3) technique.custom_attribute = LowerCase(std::string_view(source->name).substr(3));
+    if (source->name.starts_with("GBA") && source->name.size() > 3)
+      technique.custom_attribute = LowerCase(std::string_view(source->name).substr(3));
     const auto [at, inserted] = names.emplace(source->name, source);
     if (!inserted && !source->name.empty()) {
       diagnostics_.Error(source->range, "X3003", "redefinition of technique '" + source->name + "'")
@@ -185,7 +210,8 @@ void EffectBuilder::BuildTechniques() {
       technique.unsupported.push_back("it has no passes");
     } else {
       for (ast::Pass& pass : source->passes) BuildPass(pass, technique);
-      for (std::size_t i = 0; i < technique.passes.size(); ++i) CheckDataFlow(technique, technique.passes[i], static_cast<int>(i));
+      for (std::size_t i = 0; i < technique.passes.size(); ++i)
+        CheckDataFlow(technique, technique.passes[i], static_cast<int>(i));
     }
     effect_.techniques.push_back(std::move(technique));
   }

@@ -10,7 +10,8 @@ namespace {
 
 const std::string* StringAnnotation(const std::vector<EffectAnnotation>& annotations, std::string_view name) {
   const EffectAnnotation* annotation = FindAnnotation(annotations, name);
-  if (annotation == nullptr || annotation->value.strings.empty() || annotation->value.strings[0].empty()) return nullptr;
+  if (annotation == nullptr || annotation->value.strings.empty() || annotation->value.strings[0].empty())
+    return nullptr;
   return &annotation->value.strings[0];
 }
 
@@ -65,8 +66,9 @@ void EffectBuilder::BuildTexture(ast::Variable& variable) {
       }
       effect_.uses_extension = true;
       if (texture.dimension != Dimension::kUnknown && texture.dimension != Dimension::k2D) {
-        diagnostics_.Error(variable.range, "B1018", "texture '" + variable.name + "': attributes and pass results are 2D textures, not " +
-                                                        ToString(variable.type));
+        diagnostics_.Error(variable.range, "B1018",
+                           "texture '" + variable.name + "': attributes and pass results are 2D textures, not " +
+                               ToString(variable.type));
       }
       texture.dimension = Dimension::k2D;
     }
@@ -79,7 +81,8 @@ void EffectBuilder::BuildTexture(ast::Variable& variable) {
 
 void EffectBuilder::BuildTextures() {
   for (const ast::Technique* technique : checker_.techniques()) {
-    if (IsCustomTechnique(*technique)) custom_attributes_.insert(LowerCase(std::string_view(technique->name).substr(3)));
+    if (IsCustomTechnique(*technique))
+      custom_attributes_.insert(LowerCase(std::string_view(technique->name).substr(3)));
   }
   for (ast::Variable* variable : checker_.globals()) {
     if (variable->type.kind == TypeKind::kTexture) BuildTexture(*variable);
@@ -97,14 +100,17 @@ void EffectBuilder::CheckPassTargets() {
     const auto* role = std::get_if<PassResultRole>(&texture.role);
     if (role == nullptr) continue;
     if (static_cast<std::size_t>(role->pass) >= most_passes) {
-      diagnostics_.Error(texture.range, "B1004", "texture '" + texture.name + "': no technique has a pass " + std::to_string(role->pass) +
-                                                     (most_passes == 0 ? "" : "; the last is " + std::to_string(most_passes - 1)));
+      diagnostics_.Error(texture.range, "B1004",
+                         "texture '" + texture.name + "': no technique has a pass " + std::to_string(role->pass) +
+                             (most_passes == 0 ? "" : "; the last is " + std::to_string(most_passes - 1)));
       continue;
     }
     const auto [at, inserted] = targets.emplace(std::pair(role->pass, role->target), &texture);
     if (!inserted) {
-      diagnostics_.Error(texture.range, "B1007", "texture '" + texture.name + "' takes the same result as '" + at->second->name + "': target " +
-                                                     std::to_string(role->target) + " of pass " + std::to_string(role->pass))
+      diagnostics_
+          .Error(texture.range, "B1007",
+                 "texture '" + texture.name + "' takes the same result as '" + at->second->name + "': target " +
+                     std::to_string(role->target) + " of pass " + std::to_string(role->pass))
           .notes.push_back({at->second->range, "'" + at->second->name + "' was declared here"});
     }
   }
@@ -112,11 +118,14 @@ void EffectBuilder::CheckPassTargets() {
     if (key.second == 0) continue;
     const auto before = targets.find({key.first, key.second - 1});
     if (before == targets.end()) {
-      diagnostics_.Error(texture->range, "B1008", "texture '" + texture->name + "' is target " + std::to_string(key.second) + " of pass " +
-                                                      std::to_string(key.first) + ", which has no target " + std::to_string(key.second - 1));
+      diagnostics_.Error(texture->range, "B1008",
+                         "texture '" + texture->name + "' is target " + std::to_string(key.second) + " of pass " +
+                             std::to_string(key.first) + ", which has no target " + std::to_string(key.second - 1));
     } else if (before->second->scale != texture->scale) {
-      diagnostics_.Error(texture->range, "B1006", "texture '" + texture->name + "' and '" + before->second->name +
-                                                      "' are targets of one pass, so they must have one scale")
+      diagnostics_
+          .Error(texture->range, "B1006",
+                 "texture '" + texture->name + "' and '" + before->second->name +
+                     "' are targets of one pass, so they must have one scale")
           .notes.push_back({before->second->range, "'" + before->second->name + "' was declared here"});
     }
   }

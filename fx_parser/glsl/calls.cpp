@@ -58,7 +58,8 @@ FunctionWriter::OutArgument FunctionWriter::Out(const ast::Expression& e, const 
   return out;
 }
 
-std::string FunctionWriter::WithOuts(const std::string& setup, const std::string& call, const std::string& after, const Type& result) {
+std::string FunctionWriter::WithOuts(const std::string& setup, const std::string& call, const std::string& after,
+                                     const Type& result) {
   if (setup.empty() && after.empty()) return call;
   std::string text = setup;
   if (after.empty() || result.kind == TypeKind::kVoid) {
@@ -109,7 +110,8 @@ std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsi
     std::string text = ExpressionAs(*n.arguments[i], call.parameters[i]);
     const std::string mark = "$" + std::to_string(i);
     const std::size_t first = intrinsic.glsl.find(mark);
-    const bool twice = first != std::string_view::npos && intrinsic.glsl.find(mark, first + 1) != std::string_view::npos;
+    const bool twice =
+        first != std::string_view::npos && intrinsic.glsl.find(mark, first + 1) != std::string_view::npos;
     texts.push_back(twice ? Reusable(text, call.parameters[i], setup) : text);
   }
   std::string form(intrinsic.glsl);
@@ -122,13 +124,16 @@ std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsi
   }
   std::string text;
   for (std::size_t i = 0; i < form.size(); ++i) {
-    if (form[i] == '$') text += texts[static_cast<std::size_t>(form[++i] - '0')];
-    else text += form[i];
+    if (form[i] == '$')
+      text += texts[static_cast<std::size_t>(form[++i] - '0')];
+    else
+      text += form[i];
   }
   return Sequence(setup, text);
 }
 
-/// Matrices are held with HLSL's rows as GLSL's columns, so products swap sides. Those of one row or column are vectors.
+/// Matrices are held with HLSL's rows as GLSL's columns, so products swap sides. Those of one row or column are
+/// vectors.
 std::string FunctionWriter::Mul(const std::string& a, const Type& a_type, const std::string& b, const Type& b_type) {
   const auto is_scalar = [](const Type& t) { return t.components() == 1; };
   if (is_scalar(a_type) || is_scalar(b_type)) return "(" + a + " * " + b + ")";
@@ -138,7 +143,7 @@ std::string FunctionWriter::Mul(const std::string& a, const Type& a_type, const 
   const bool b_full = StorageOf(b_type).is_matrix();
   if (!a_full && !b_full) {
     if (a_row && b_column) return "dot(" + a + ", " + b + ")";
-    return "outerProduct(" + b + ", " + a + ")";   // a column times a row
+    return "outerProduct(" + b + ", " + a + ")";  // a column times a row
   }
   return "(" + b + " * " + a + ")";
 }

@@ -44,21 +44,26 @@ std::string FunctionWriter::FromStorage(const std::string& text, const Storage& 
 }
 
 /// Appends one text for each component, in HLSL's order; `text` must be simple. Returns nothing useful for other kinds.
-std::string FunctionWriter::Components(const std::string& text, const Type& type, std::vector<std::string>& components) {
+std::string FunctionWriter::Components(const std::string& text, const Type& type,
+                                       std::vector<std::string>& components) {
   if (type.is_array()) {
     const Type element = *ElementType(type);
-    for (std::uint32_t i = 0; i < type.array.front(); ++i) Components(text + "[" + std::to_string(i) + "]", element, components);
+    for (std::uint32_t i = 0; i < type.array.front(); ++i)
+      Components(text + "[" + std::to_string(i) + "]", element, components);
     return text;
   }
   if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
-    for (const auto& member : type.structure->members) Components(text + "." + GlslMemberName(member->name), member->type, components);
+    for (const auto& member : type.structure->members)
+      Components(text + "." + GlslMemberName(member->name), member->type, components);
     return text;
   }
   const Storage storage = StorageOf(type);
   for (int column = 0; column < storage.columns; ++column) {
     const std::string line = storage.is_matrix() ? text + "[" + std::to_string(column) + "]" : text;
-    if (storage.size == 1) components.push_back(line);
-    else for (int i = 0; i < storage.size; ++i) components.push_back(line + "." + kLetters[i]);
+    if (storage.size == 1)
+      components.push_back(line);
+    else
+      for (int i = 0; i < storage.size; ++i) components.push_back(line + "." + kLetters[i]);
   }
   return text;
 }
@@ -69,12 +74,14 @@ std::string FunctionWriter::FromComponents(const Type& type, const std::vector<s
   std::string text = stage_.TypeText(type) + "(";
   if (type.is_array()) {
     const Type element = *ElementType(type);
-    for (std::uint32_t i = 0; i < type.array.front(); ++i) text += (i > 0 ? ", " : "") + FromComponents(element, components, scalars, next);
+    for (std::uint32_t i = 0; i < type.array.front(); ++i)
+      text += (i > 0 ? ", " : "") + FromComponents(element, components, scalars, next);
     return text + ")";
   }
   if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
     const auto& members = type.structure->members;
-    for (std::size_t i = 0; i < members.size(); ++i) text += (i > 0 ? ", " : "") + FromComponents(members[i]->type, components, scalars, next);
+    for (std::size_t i = 0; i < members.size(); ++i)
+      text += (i > 0 ? ", " : "") + FromComponents(members[i]->type, components, scalars, next);
     return text + (members.empty() ? "0.0)" : ")");
   }
   const Storage wanted = StorageOf(type);
@@ -134,7 +141,8 @@ std::string FunctionWriter::Convert(const std::string& text, const Type& from, c
 /// Whether each element stands for exactly one member or element of `type`.
 bool FunctionWriter::ListMatches(const std::vector<ast::ExpressionPtr>& elements, const Type& type) {
   std::vector<Type> parts;
-  if (type.is_array()) parts.assign(type.array.front(), *ElementType(type));
+  if (type.is_array())
+    parts.assign(type.array.front(), *ElementType(type));
   else if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
     for (const auto& member : type.structure->members) parts.push_back(member->type);
   } else if (type.is_numeric() && !type.is_matrix) {
@@ -145,7 +153,8 @@ bool FunctionWriter::ListMatches(const std::vector<ast::ExpressionPtr>& elements
     const auto* inner = std::get_if<ast::InitializerList>(&elements[i]->node);
     if (inner != nullptr) {
       if (parts[i].is_scalar() ? inner->elements.size() != 1 : !ListMatches(inner->elements, parts[i])) return false;
-    } else if (FlatComponents(elements[i]->type) != FlatComponents(parts[i]) || !ImplicitConversion(elements[i]->type, parts[i])) {
+    } else if (FlatComponents(elements[i]->type) != FlatComponents(parts[i]) ||
+               !ImplicitConversion(elements[i]->type, parts[i])) {
       return false;
     }
   }
@@ -204,11 +213,13 @@ std::string FunctionWriter::ExpressionAs(const ast::Expression& e, const Type& t
   return Convert(Expression(e), e.type, type);
 }
 
-std::string FunctionWriter::Initialisation(const std::string& name, const Type& type, const ast::Expression* initializer) {
+std::string FunctionWriter::Initialisation(const std::string& name, const Type& type,
+                                           const ast::Expression* initializer) {
   const std::string value = initializer != nullptr ? ExpressionAs(*initializer, type) : stage_.ZeroText(type);
   std::string text = temporaries_.empty() ? "" : "  {\n" + temporaries_;
   if (value.empty()) {
-    text += "  for (int i = 0; i < " + std::to_string(type.array.front()) + "; ++i) " + name + "[i] = " + stage_.ZeroText(*ElementType(type)) + ";\n";
+    text += "  for (int i = 0; i < " + std::to_string(type.array.front()) + "; ++i) " + name +
+            "[i] = " + stage_.ZeroText(*ElementType(type)) + ";\n";
   } else {
     text += "  " + name + " = " + value + ";\n";
   }

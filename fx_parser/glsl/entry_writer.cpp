@@ -12,7 +12,9 @@ namespace {
 bool IsSampler(const Type& type) { return type.kind == TypeKind::kSampler || type.kind == TypeKind::kTexture; }
 
 /// Uniform parameters get the compile expression's arguments; samplers are uniform without the word.
-bool IsUniform(const ast::Variable& parameter) { return (parameter.qualifiers & ast::kUniform) != 0 || IsSampler(parameter.type); }
+bool IsUniform(const ast::Variable& parameter) {
+  return (parameter.qualifiers & ast::kUniform) != 0 || IsSampler(parameter.type);
+}
 
 template <class List>
 void AddOnce(List& list, const Semantic& semantic) {
@@ -36,10 +38,14 @@ std::string EntryWriter::ToVec4(const std::string& value, const Type& type, bool
   const Type floats = count == 1 ? ScalarType(Scalar::kFloat) : VectorType(Scalar::kFloat, count);
   const std::string text = main_.Convert(value, type, floats);
   switch (count) {
-    case 1: return "vec4(" + text + ")";
-    case 2: return "vec4(" + text + ", 0.0, " + (alpha_one ? "1.0)" : "0.0)");
-    case 3: return "vec4(" + text + (alpha_one ? ", 1.0)" : ", 0.0)");
-    default: return text;
+    case 1:
+      return "vec4(" + text + ")";
+    case 2:
+      return "vec4(" + text + ", 0.0, " + (alpha_one ? "1.0)" : "0.0)");
+    case 3:
+      return "vec4(" + text + (alpha_one ? ", 1.0)" : ", 0.0)");
+    default:
+      return text;
   }
 }
 
@@ -59,13 +65,15 @@ std::string EntryWriter::InputValue(const Type& type, const std::string& semanti
     for (const auto& member : type.structure->members) {
       int member_offset = 0;
       const bool own = !member->semantic.empty();
-      text += (text.empty() ? "" : ", ") + InputValue(member->type, own ? member->semantic : semantic, own ? member_offset : offset,
-                                                       name + "." + member->name, member->range);
+      text += (text.empty() ? "" : ", ") + InputValue(member->type, own ? member->semantic : semantic,
+                                                      own ? member_offset : offset, name + "." + member->name,
+                                                      member->range);
     }
     return stage_.TypeText(type) + "(" + (text.empty() ? "0.0" : text) + ")";
   }
   if (!type.is_numeric()) {
-    stage_.Error(range, "X3502", "'" + entry_.function->name + "': input parameter '" + name + "' cannot be a " + ToString(type));
+    stage_.Error(range, "X3502",
+                 "'" + entry_.function->name + "': input parameter '" + name + "' cannot be a " + ToString(type));
     return "0";
   }
   if (semantic.empty()) return Missing("X3502", "input parameter '" + name + "'", range);
@@ -75,7 +83,8 @@ std::string EntryWriter::InputValue(const Type& type, const std::string& semanti
     Semantic key = ParseSemantic(semantic);
     key.index += offset++;
     const std::string text = Input(key, semantic, range);
-    rows.push_back(main_.Convert(text, VectorType(Scalar::kFloat, 4), WithScalar(line, type.is_matrix ? Scalar::kFloat : type.scalar)));
+    rows.push_back(main_.Convert(text, VectorType(Scalar::kFloat, 4),
+                                 WithScalar(line, type.is_matrix ? Scalar::kFloat : type.scalar)));
   }
   if (rows.size() == 1) return rows.front();
   std::string text;
@@ -83,8 +92,8 @@ std::string EntryWriter::InputValue(const Type& type, const std::string& semanti
   return stage_.TypeText(type) + "(" + text + ")";
 }
 
-std::string EntryWriter::OutputValue(const Type& type, const std::string& semantic, int& offset, const std::string& text,
-                                     const std::string& name, const Range& range) {
+std::string EntryWriter::OutputValue(const Type& type, const std::string& semantic, int& offset,
+                                     const std::string& text, const std::string& name, const Range& range) {
   std::string statements;
   if (stage_.failed()) return statements;
   if (type.is_array()) {
@@ -104,7 +113,8 @@ std::string EntryWriter::OutputValue(const Type& type, const std::string& semant
     return statements;
   }
   if (!type.is_numeric()) return statements;
-  if (semantic.empty()) return Missing("X3503", name.empty() ? "function return value" : "output parameter '" + name + "'", range);
+  if (semantic.empty())
+    return Missing("X3503", name.empty() ? "function return value" : "output parameter '" + name + "'", range);
   const int rows = type.is_matrix && StorageOf(type).is_matrix() ? type.rows : 1;
   for (int row = 0; row < rows; ++row) {
     Semantic key = ParseSemantic(semantic);
@@ -129,9 +139,10 @@ std::string EntryWriter::Write() {
   std::vector<Pending> outs;
   for (const auto& parameter : function.parameters) {
     if (IsUniform(*parameter)) {
-      const ast::Expression* value = uniforms < entry_.arguments.size() ? entry_.arguments[uniforms] : parameter->initializer.get();
+      const ast::Expression* value =
+          uniforms < entry_.arguments.size() ? entry_.arguments[uniforms] : parameter->initializer.get();
       ++uniforms;
-      if (value == nullptr) continue;   // counted and reported below
+      if (value == nullptr) continue;  // counted and reported below
       if (IsSampler(parameter->type)) {
         const SamplerBinding binding = main_.ResolveSampler(*value);
         if (binding.sampler == nullptr) return {};
@@ -145,20 +156,25 @@ std::string EntryWriter::Write() {
     const bool is_in = !is_out || (parameter->qualifiers & ast::kIn) != 0;
     const std::string name = stage_.UniqueName("a_", parameter->name);
     int offset = 0;
-    before += "  " + stage_.TypeText(parameter->type) + " " + name +
-              (is_in ? " = " + InputValue(parameter->type, parameter->semantic, offset, parameter->name, parameter->range) : "") + ";\n";
+    before +=
+        "  " + stage_.TypeText(parameter->type) + " " + name +
+        (is_in ? " = " + InputValue(parameter->type, parameter->semantic, offset, parameter->name, parameter->range)
+               : "") +
+        ";\n";
     arguments.push_back(name);
     if (is_out) outs.push_back({parameter.get(), name});
   }
   if (entry_.arguments.size() > uniforms || (entry_.arguments.size() < uniforms && [&] {
         std::size_t at = 0;
         for (const auto& parameter : function.parameters) {
-          if (IsUniform(*parameter) && at++ >= entry_.arguments.size() && parameter->initializer == nullptr) return true;
+          if (IsUniform(*parameter) && at++ >= entry_.arguments.size() && parameter->initializer == nullptr)
+            return true;
         }
         return false;
       }())) {
-    stage_.Error(entry_.range, "X3013", "'" + function.name + "': entry point takes " + std::to_string(uniforms) +
-                                            " uniform arguments, found " + std::to_string(entry_.arguments.size()));
+    stage_.Error(entry_.range, "X3013",
+                 "'" + function.name + "': entry point takes " + std::to_string(uniforms) +
+                     " uniform arguments, found " + std::to_string(entry_.arguments.size()));
     return {};
   }
   const std::string name = stage_.FunctionName(function, bindings, entry_.range);
@@ -173,7 +189,8 @@ std::string EntryWriter::Write() {
   }
   for (const Pending& out : outs) {
     int offset = 0;
-    after += OutputValue(out.parameter->type, out.parameter->semantic, offset, out.name, out.parameter->name, out.parameter->range);
+    after += OutputValue(out.parameter->type, out.parameter->semantic, offset, out.name, out.parameter->name,
+                         out.parameter->range);
   }
   if (stage_.failed()) return {};
   return main_.Temporaries() + stage_.initialisers() + before + "  " + call + ";\n" + after;
@@ -187,7 +204,8 @@ std::string FragmentEntry::Input(const Semantic& semantic, const std::string& wr
   return "burin_v_" + SanitisedName(semantic.Key());
 }
 
-std::string FragmentEntry::Output(const Semantic& semantic, const std::string& value, const Type& type, const Range& range) {
+std::string FragmentEntry::Output(const Semantic& semantic, const std::string& value, const Type& type,
+                                  const Range& range) {
   if (semantic.name == "COLOR" && semantic.index < kMaxTargets) {
     targets.insert(semantic.index);
     return "  burin_out" + std::to_string(semantic.index) + " = " + ToVec4(value, type, true) + ";\n";
@@ -196,7 +214,8 @@ std::string FragmentEntry::Output(const Semantic& semantic, const std::string& v
     writes_depth = true;
     return "  gl_FragDepth = " + main_.Convert(value, type, ScalarType(Scalar::kFloat)) + ";\n";
   }
-  stage_.Error(range, "X4502", "'" + entry_.function->name + "': invalid pixel shader output semantic '" + semantic.Key() + "'");
+  stage_.Error(range, "X4502",
+               "'" + entry_.function->name + "': invalid pixel shader output semantic '" + semantic.Key() + "'");
   return {};
 }
 
@@ -204,7 +223,8 @@ std::string VertexEntry::Input(const Semantic& semantic, const std::string&, con
   if (semantic.name == "SV_VERTEXID") return "vec4(float(gl_VertexID))";
   if (semantic.name == "SV_INSTANCEID") return "vec4(float(gl_InstanceID))";
   if (!VertexInputLocation(semantic.Key())) {
-    stage_.diagnostics().Warning(range, "B1016", "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
+    stage_.diagnostics().Warning(range, "B1016",
+                                 "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
     return "vec4(0.0)";
   }
   AddOnce(inputs, semantic);

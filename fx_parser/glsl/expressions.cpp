@@ -11,7 +11,8 @@ bool NeedsEveryInvocation(const ast::Expression& e) {
   bool needs = false;
   ForEachExpression(e, [&](const ast::Expression& inner) {
     if (std::holds_alternative<ast::Assign>(inner.node)) needs = true;
-    if (const auto* unary = std::get_if<ast::Unary>(&inner.node)) needs = needs || unary->op >= ast::UnaryOperator::kPreIncrement;
+    if (const auto* unary = std::get_if<ast::Unary>(&inner.node))
+      needs = needs || unary->op >= ast::UnaryOperator::kPreIncrement;
     const auto* call = std::get_if<ast::Call>(&inner.node);
     if (call == nullptr) return;
     constexpr unsigned kTraits = kImplicitDerivatives | kHasEffect;
@@ -27,11 +28,15 @@ std::string FunctionWriter::Expression(const ast::Expression& e) {
   return std::visit([&](const auto& node) { return Emit(e, node); }, e.node);
 }
 
-std::string FunctionWriter::Emit(const ast::Expression&, const ast::BoolLiteral& n) { return n.value ? "true" : "false"; }
+std::string FunctionWriter::Emit(const ast::Expression&, const ast::BoolLiteral& n) {
+  return n.value ? "true" : "false";
+}
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::IntLiteral& n) {
   return NumberText(RoundToScalar(static_cast<double>(n.value), e.type.scalar), e.type.scalar);
 }
-std::string FunctionWriter::Emit(const ast::Expression&, const ast::FloatLiteral& n) { return NumberText(n.value, Scalar::kFloat); }
+std::string FunctionWriter::Emit(const ast::Expression&, const ast::FloatLiteral& n) {
+  return NumberText(n.value, Scalar::kFloat);
+}
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::StringLiteral&) {
   stage_.Error(e.range, "X3017", "a string cannot be used in a shader");
   return "0";
@@ -40,7 +45,8 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::StringLite
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Name& n) {
   if (n.variable == nullptr) return "0";
   if (FlatComponents(n.variable->type) < 0) {
-    stage_.Error(e.range, "X3017", "'" + n.name + "' is a " + ToString(n.variable->type) + ", which has no value in a shader");
+    stage_.Error(e.range, "X3017",
+                 "'" + n.name + "' is a " + ToString(n.variable->type) + ", which has no value in a shader");
     return "0";
   }
   return stage_.VariableName(*n.variable);
@@ -56,7 +62,11 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Assign& n)
   const bool plain = *n.op == kAdd || *n.op == kSub || (*n.op == kMul && !e.type.is_matrix);
   if (plain && IsFloating(e.type.scalar) && IsDirect(target, *common)) {
     const Type wanted = value_type.components() == 1 ? ScalarType(e.type.scalar) : e.type;
-    return "(" + target.text + (*n.op == kAdd ? " += " : *n.op == kSub ? " -= " : " *= ") + ExpressionAs(*n.value, wanted) + ")";
+    return "(" + target.text +
+           (*n.op == kAdd   ? " += "
+            : *n.op == kSub ? " -= "
+                            : " *= ") +
+           ExpressionAs(*n.value, wanted) + ")";
   }
   const auto constant = Evaluate(*n.value);
   bool safe = constant.has_value();
@@ -74,7 +84,8 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Conditiona
   if (condition.components() == 1) {
     const std::string test = ExpressionAs(*n.condition, ScalarType(Scalar::kBool));
     if (everywhere && e.type.is_numeric()) {
-      return stage_.PreludeName("burin_select", stage_.TypeText(e.type)) + "(" + test + ", " + if_true + ", " + if_false + ")";
+      return stage_.PreludeName("burin_select", stage_.TypeText(e.type)) + "(" + test + ", " + if_true + ", " +
+             if_false + ")";
     }
     return "(" + test + " ? " + if_true + " : " + if_false + ")";
   }
@@ -90,13 +101,16 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Construct&
   std::string list;
   for (const auto& argument : n.arguments) {
     Type wanted = WithScalar(argument->type, e.type.scalar);
-    if (argument->type.is_array() || argument->type.kind == TypeKind::kStruct || StorageOf(wanted).is_matrix()) return List(n.arguments, e.type);
+    if (argument->type.is_array() || argument->type.kind == TypeKind::kStruct || StorageOf(wanted).is_matrix())
+      return List(n.arguments, e.type);
     list += (list.empty() ? "" : ", ") + ExpressionAs(*argument, wanted);
   }
   return StorageText(StorageOf(e.type)) + "(" + list + ")";
 }
 
-std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Cast& n) { return ExpressionAs(*n.operand, e.type); }
+std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Cast& n) {
+  return ExpressionAs(*n.operand, e.type);
+}
 
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::Member& n) {
   const std::string operand = Expression(*n.operand);
@@ -117,7 +131,9 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Index& n) 
   return FromStorage(element, held, e.type);
 }
 
-std::string FunctionWriter::Emit(const ast::Expression& e, const ast::InitializerList& n) { return List(n.elements, e.type); }
+std::string FunctionWriter::Emit(const ast::Expression& e, const ast::InitializerList& n) {
+  return List(n.elements, e.type);
+}
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::Compile&) { return "0"; }
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::AsmBlock&) { return "0"; }
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::StateBlockExpression&) { return "0"; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Branches that take derivatives in some invocations only. GLSL leaves those undefined; Direct3D 9's compilers evaluate both
-// sides and keep one. Here: both branches run, on saved copies of what they write, where they hold nothing but
-// computation. Branches that return, break or discard stay as they are, and so do those that all invocations take alike.
+// Branches that take derivatives in some invocations only. GLSL leaves those undefined; Direct3D 9's compilers evaluate
+// both sides and keep one. Here: both branches run, on saved copies of what they write, where they hold nothing but
+// computation. Branches that return, break or discard stay as they are, and so do those that all invocations take
+// alike.
 #include <algorithm>
 #include <set>
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Traits {
   bool derivatives = false;
-  bool effects = false;       ///< writes a global or discards, inside a called function
+  bool effects = false;  ///< writes a global or discards, inside a called function
 };
 
 /// What evaluating an expression can do, through the functions it calls.
@@ -26,7 +27,8 @@ class TraitFinder {
     const auto* call = std::get_if<ast::Call>(&e.node);
     if (call == nullptr) return;
     if (call->function == nullptr) {
-      const unsigned intrinsic = call->intrinsic >= 0 ? Intrinsics()[static_cast<std::size_t>(call->intrinsic)].traits : 0;
+      const unsigned intrinsic =
+          call->intrinsic >= 0 ? Intrinsics()[static_cast<std::size_t>(call->intrinsic)].traits : 0;
       found.derivatives = found.derivatives || (intrinsic & kImplicitDerivatives) != 0;
       found.effects = found.effects || call->name == "clip";
       return;
@@ -37,7 +39,8 @@ class TraitFinder {
     ForEachExpression(*definition->body, [&](const ast::Expression& inner) {
       std::set<const ast::Variable*> written;
       AppendWritten(inner, written);
-      found.effects = found.effects || std::ranges::any_of(written, [](const ast::Variable* v) { return v->is_global; });
+      found.effects =
+          found.effects || std::ranges::any_of(written, [](const ast::Variable* v) { return v->is_global; });
       Add(inner);
     });
   }
@@ -45,13 +48,16 @@ class TraitFinder {
   static bool HasDiscard(const ast::Statement& statement) {
     if (std::holds_alternative<ast::Discard>(statement.node)) return true;
     const auto has = [](const ast::StatementPtr& s) { return s != nullptr && HasDiscard(*s); };
-    if (const auto* block = std::get_if<ast::Block>(&statement.node)) return std::ranges::any_of(block->statements, has);
-    if (const auto* branch = std::get_if<ast::If>(&statement.node)) return has(branch->then_branch) || has(branch->else_branch);
+    if (const auto* block = std::get_if<ast::Block>(&statement.node))
+      return std::ranges::any_of(block->statements, has);
+    if (const auto* branch = std::get_if<ast::If>(&statement.node))
+      return has(branch->then_branch) || has(branch->else_branch);
     if (const auto* loop = std::get_if<ast::For>(&statement.node)) return has(loop->body);
     if (const auto* loop = std::get_if<ast::While>(&statement.node)) return has(loop->body);
     if (const auto* loop = std::get_if<ast::DoWhile>(&statement.node)) return has(loop->body);
     if (const auto* choice = std::get_if<ast::Switch>(&statement.node)) {
-      return std::ranges::any_of(choice->cases, [&](const ast::Case& arm) { return std::ranges::any_of(arm.statements, has); });
+      return std::ranges::any_of(choice->cases,
+                                 [&](const ast::Case& arm) { return std::ranges::any_of(arm.statements, has); });
     }
     return false;
   }
@@ -63,11 +69,14 @@ class TraitFinder {
   std::set<const ast::Function*> seen_;
 };
 
-/// Only declarations, expressions and branches of them. Loops are left alone: what they do each time round may end them.
+/// Only declarations, expressions and branches of them. Loops are left alone: what they do each time round may end
+/// them.
 bool OnlyComputes(const ast::Statement& statement, std::set<const ast::Variable*>& declared) {
   const auto computes = [&](const ast::StatementPtr& s) { return s == nullptr || OnlyComputes(*s, declared); };
-  if (const auto* block = std::get_if<ast::Block>(&statement.node)) return std::ranges::all_of(block->statements, computes);
-  if (const auto* branch = std::get_if<ast::If>(&statement.node)) return computes(branch->then_branch) && computes(branch->else_branch);
+  if (const auto* block = std::get_if<ast::Block>(&statement.node))
+    return std::ranges::all_of(block->statements, computes);
+  if (const auto* branch = std::get_if<ast::If>(&statement.node))
+    return computes(branch->then_branch) && computes(branch->else_branch);
   if (const auto* declaration = std::get_if<ast::DeclarationStatement>(&statement.node)) {
     for (const auto& variable : declaration->variables) declared.insert(variable.get());
     return true;
@@ -83,14 +92,17 @@ bool FunctionWriter::IsUniform(const ast::Expression& e) const {
   ForEachExpression(e, [&](const ast::Expression& inner) {
     if (const auto* name = std::get_if<ast::Name>(&inner.node); name != nullptr && name->variable != nullptr) {
       const ast::Variable& v = *name->variable;
-      const bool constant = (v.qualifiers & ast::kConst) != 0 && v.initializer != nullptr && Evaluate(*v.initializer).has_value();
+      const bool constant =
+          (v.qualifiers & ast::kConst) != 0 && v.initializer != nullptr && Evaluate(*v.initializer).has_value();
       const bool parameter = v.is_global && (v.qualifiers & ast::kStatic) == 0;
       const bool entry_argument = v.is_parameter && (v.qualifiers & ast::kUniform) != 0;
       uniform = uniform && (constant || ((parameter || entry_argument) && !stage_.is_written(v)));
     }
     const auto* call = std::get_if<ast::Call>(&inner.node);
-    uniform = uniform && (call == nullptr || (call->function == nullptr && call->intrinsic >= 0 &&
-                                              LookupDimension(Intrinsics()[static_cast<std::size_t>(call->intrinsic)]) == Dimension::kUnknown));
+    uniform =
+        uniform && (call == nullptr ||
+                    (call->function == nullptr && call->intrinsic >= 0 &&
+                     LookupDimension(Intrinsics()[static_cast<std::size_t>(call->intrinsic)]) == Dimension::kUnknown));
   });
   return uniform;
 }
@@ -119,7 +131,9 @@ bool FunctionWriter::Flatten(const ast::If& branch) {
   for (const ast::Variable* variable : written) {
     if (!declared.contains(variable)) order.push_back(variable);
   }
-  std::ranges::sort(order, {}, [](const ast::Variable* v) { return std::tuple(v->range.begin.file, v->range.begin.line, v->range.begin.column, v->name); });
+  std::ranges::sort(order, {}, [](const ast::Variable* v) {
+    return std::tuple(v->range.begin.file, v->range.begin.line, v->range.begin.column, v->name);
+  });
   const std::string condition = NewTemporary(ScalarType(Scalar::kBool));
   Line(condition + " = " + Condition(*branch.condition) + ";");
   std::vector<Saved> saved;

@@ -38,9 +38,9 @@ class FunctionWriter {
     std::string setup;
     std::string text;
     Type type;
-    Storage storage;                              ///< how it is held, which for int matrices is float
-    std::vector<SwizzleComponent> scattered;      ///< components of the matrix `text`, when GLSL has no such swizzle
-    Type matrix;                                  ///< of `text` when scattered
+    Storage storage;                          ///< how it is held, which for int matrices is float
+    std::vector<SwizzleComponent> scattered;  ///< components of the matrix `text`, when GLSL has no such swizzle
+    Type matrix;                              ///< of `text` when scattered
   };
 
   // statements
@@ -85,25 +85,26 @@ class FunctionWriter {
   std::string Emit(const ast::Expression& e, const ast::StateBlockExpression& n);
 
   // operators
-  std::string Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a, const Type& a_type, const std::string& b,
-                         const Type& b_type, bool divisor_is_safe);
+  std::string Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a, const Type& a_type,
+                         const std::string& b, const Type& b_type, bool divisor_is_safe);
   std::string Comparison(ast::BinaryOperator op, const Type& common, const std::string& a, const std::string& b);
   std::string Logic(ast::BinaryOperator op, const ast::Binary& n, const Type& result);
   std::string Negated(const Type& type, const std::string& text);
   std::string Prelude(const char* name, const Storage& storage);
   /// Applies a componentwise form to the columns of matrices: `form` gets one text for each operand.
   template <class Form>
-  std::string ByColumns(const Type& type, const std::vector<std::string>& operands, const std::vector<Type>& types, Form form);
+  std::string ByColumns(const Type& type, const std::vector<std::string>& operands, const std::vector<Type>& types,
+                        Form form);
   std::string MatrixSelect(const Type& type, const std::string& condition, const std::string& a, const std::string& b);
 
   // conversions
   std::string Components(const std::string& text, const Type& type, std::vector<std::string>& components);
-  std::string FromComponents(const Type& type, const std::vector<std::string>& components, const std::vector<Scalar>& scalars,
-                             std::size_t& next);
+  std::string FromComponents(const Type& type, const std::vector<std::string>& components,
+                             const std::vector<Scalar>& scalars, std::size_t& next);
   std::string List(const std::vector<ast::ExpressionPtr>& elements, const Type& type);
   bool ListMatches(const std::vector<ast::ExpressionPtr>& elements, const Type& type);
-  void FlattenList(const std::vector<ast::ExpressionPtr>& elements, std::string& setup, std::vector<std::string>& components,
-                   std::vector<Scalar>& scalars);
+  void FlattenList(const std::vector<ast::ExpressionPtr>& elements, std::string& setup,
+                   std::vector<std::string>& components, std::vector<Scalar>& scalars);
   std::string ConvertScalar(const std::string& text, const Storage& from, Scalar to);
   /// `text` itself, or a temporary that `setup` then assigns it to.
   std::string Reusable(const std::string& text, const Type& type, std::string& setup);
@@ -128,12 +129,13 @@ class FunctionWriter {
   std::string IntrinsicText(const ast::Expression& e, const ast::Call& n);
   std::string Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call);
   std::string Mul(const std::string& a, const Type& a_type, const std::string& b, const Type& b_type);
-  std::string Componentwise(const Intrinsic& intrinsic, const IntrinsicCall& call, const std::vector<std::string>& arguments);
+  std::string Componentwise(const Intrinsic& intrinsic, const IntrinsicCall& call,
+                            const std::vector<std::string>& arguments);
   std::string AnyAll(const std::string& name, const std::string& text, const Type& type);
   struct OutArgument {
-    std::string setup;      ///< before the call
+    std::string setup;  ///< before the call
     std::string argument;
-    std::string after;      ///< comma-separated, after the call
+    std::string after;  ///< comma-separated, after the call
   };
   OutArgument Out(const ast::Expression& e, const Type& parameter, bool also_in);
   std::string WithOuts(const std::string& setup, const std::string& call, const std::string& after, const Type& result);
@@ -146,8 +148,8 @@ class FunctionWriter {
   const ast::Function* function_ = nullptr;
 };
 
-/// Whether evaluating the expression does more than give a value, or takes derivatives that need the neighbours: then both
-/// sides of && || ?: must be evaluated everywhere, as Direct3D 9 does.
+/// Whether evaluating the expression does more than give a value, or takes derivatives that need the neighbours: then
+/// both sides of && || ?: must be evaluated everywhere, as Direct3D 9 does.
 [[nodiscard]] bool NeedsEveryInvocation(const ast::Expression& e);
 
 }  // namespace burin::fx

@@ -40,12 +40,13 @@ std::string FunctionWriter::IndexText(const ast::Expression& index, std::uint32_
 std::string FunctionWriter::ElementText(const std::string& text, const Type& type, const std::string& index) {
   if (type.is_array()) return text + "[" + index + "]";
   const Storage storage = StorageOf(type);
-  if (storage.size == 1 && !storage.is_matrix()) return text;        // float1
-  if (type.is_matrix && type.rows == 1) return text;                 // its only row
+  if (storage.size == 1 && !storage.is_matrix()) return text;  // float1
+  if (type.is_matrix && type.rows == 1) return text;           // its only row
   return text + "[" + index + "]";
 }
 
-std::string FunctionWriter::SwizzleText(const std::string& text, const Type& type, const std::vector<SwizzleComponent>& swizzle) {
+std::string FunctionWriter::SwizzleText(const std::string& text, const Type& type,
+                                        const std::vector<SwizzleComponent>& swizzle) {
   const Storage storage = StorageOf(type);
   const Type result = SwizzleType(type, swizzle.size());
   if (type.is_matrix) {
@@ -99,9 +100,9 @@ FunctionWriter::Lvalue FunctionWriter::MemberTarget(const ast::Expression& e, co
     return target;
   }
   if (target.storage.size == 1) {
-    return target;   // .x of a scalar
+    return target;  // .x of a scalar
   }
-  if (!target.scattered.empty()) {   // m._m00_m11.yx: choose among the scattered components
+  if (!target.scattered.empty()) {  // m._m00_m11.yx: choose among the scattered components
     std::vector<SwizzleComponent> chosen;
     for (const auto& c : *swizzle) chosen.push_back(target.scattered[static_cast<std::size_t>(c.column)]);
     if (chosen.size() == 1) {
@@ -129,11 +130,13 @@ FunctionWriter::Lvalue FunctionWriter::IndexTarget(const ast::Expression& e, con
     index = name;
   }
   target.type = e.type;
-  if (!target.scattered.empty()) {   // an element of a matrix swizzle: only constant ones have a place
+  if (!target.scattered.empty()) {  // an element of a matrix swizzle: only constant ones have a place
     const auto value = Evaluate(*n.index);
     const auto at = value ? static_cast<std::size_t>(value->numbers[0]) : 0;
-    if (!value) stage_.Error(n.index->range, "B1014", "an element of a matrix swizzle can only be assigned by a constant index");
-    target.text = MatrixComponent(target.text, target.matrix, target.scattered[std::min(at, target.scattered.size() - 1)]);
+    if (!value)
+      stage_.Error(n.index->range, "B1014", "an element of a matrix swizzle can only be assigned by a constant index");
+    target.text =
+        MatrixComponent(target.text, target.matrix, target.scattered[std::min(at, target.scattered.size() - 1)]);
     target.scattered.clear();
     target.storage = ScalarStorage(target.storage);
     return target;
@@ -177,8 +180,8 @@ std::string FunctionWriter::Store(const Lvalue& target, const std::string& value
   std::string setup = target.setup;
   const std::string source = Reusable(converted, target.type, setup);
   for (std::size_t i = 0; i < target.scattered.size(); ++i) {
-    setup += (setup.empty() ? "" : ", ") + MatrixComponent(target.text, target.matrix, target.scattered[i]) + " = float(" + source + "." +
-             kLetters[i] + ")";
+    setup += (setup.empty() ? "" : ", ") + MatrixComponent(target.text, target.matrix, target.scattered[i]) +
+             " = float(" + source + "." + kLetters[i] + ")";
   }
   return "(" + setup + ", " + source + ")";
 }

@@ -11,34 +11,56 @@ namespace {
 const char* Sign(ast::BinaryOperator op) {
   using enum ast::BinaryOperator;
   switch (op) {
-    case kMul: return " * ";
-    case kDiv: return " / ";
-    case kAdd: return " + ";
-    case kSub: return " - ";
-    case kShl: return " << ";
-    case kShr: return " >> ";
-    case kLess: return " < ";
-    case kGreater: return " > ";
-    case kLessEqual: return " <= ";
-    case kGreaterEqual: return " >= ";
-    case kEqual: return " == ";
-    case kNotEqual: return " != ";
-    case kBitAnd: return " & ";
-    case kBitXor: return " ^ ";
-    case kBitOr: return " | ";
-    default: return " + ";
+    case kMul:
+      return " * ";
+    case kDiv:
+      return " / ";
+    case kAdd:
+      return " + ";
+    case kSub:
+      return " - ";
+    case kShl:
+      return " << ";
+    case kShr:
+      return " >> ";
+    case kLess:
+      return " < ";
+    case kGreater:
+      return " > ";
+    case kLessEqual:
+      return " <= ";
+    case kGreaterEqual:
+      return " >= ";
+    case kEqual:
+      return " == ";
+    case kNotEqual:
+      return " != ";
+    case kBitAnd:
+      return " & ";
+    case kBitXor:
+      return " ^ ";
+    case kBitOr:
+      return " | ";
+    default:
+      return " + ";
   }
 }
 
 const char* VectorComparison(ast::BinaryOperator op) {
   using enum ast::BinaryOperator;
   switch (op) {
-    case kLess: return "lessThan";
-    case kGreater: return "greaterThan";
-    case kLessEqual: return "lessThanEqual";
-    case kGreaterEqual: return "greaterThanEqual";
-    case kEqual: return "equal";
-    default: return "notEqual";
+    case kLess:
+      return "lessThan";
+    case kGreater:
+      return "greaterThan";
+    case kLessEqual:
+      return "lessThanEqual";
+    case kGreaterEqual:
+      return "greaterThanEqual";
+    case kEqual:
+      return "equal";
+    default:
+      return "notEqual";
   }
 }
 
@@ -52,7 +74,8 @@ std::string FunctionWriter::Prelude(const char* name, const Storage& storage) {
 }
 
 template <class Form>
-std::string FunctionWriter::ByColumns(const Type& type, const std::vector<std::string>& operands, const std::vector<Type>& types, Form form) {
+std::string FunctionWriter::ByColumns(const Type& type, const std::vector<std::string>& operands,
+                                      const std::vector<Type>& types, Form form) {
   std::string setup;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -69,15 +92,16 @@ std::string FunctionWriter::ByColumns(const Type& type, const std::vector<std::s
   return Sequence(setup, text + ")");
 }
 
-std::string FunctionWriter::MatrixSelect(const Type& type, const std::string& condition, const std::string& a, const std::string& b) {
+std::string FunctionWriter::MatrixSelect(const Type& type, const std::string& condition, const std::string& a,
+                                         const std::string& b) {
   const Type matrix = MatrixType(Scalar::kFloat, type.rows, type.columns);
-  return ByColumns(type, {condition, a, b}, {matrix, matrix, matrix}, [](const auto& p) {
-    return "mix(" + p[2] + ", " + p[1] + ", " + p[0] + ")";
-  });
+  return ByColumns(type, {condition, a, b}, {matrix, matrix, matrix},
+                   [](const auto& p) { return "mix(" + p[2] + ", " + p[1] + ", " + p[0] + ")"; });
 }
 
-std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a, const Type& a_type,
-                                       const std::string& b, const Type& b_type, bool divisor_is_safe) {
+std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a,
+                                       const Type& a_type, const std::string& b, const Type& b_type,
+                                       bool divisor_is_safe) {
   using enum ast::BinaryOperator;
   const Storage storage = StorageOf(common);
   const bool is_float = IsFloating(common.scalar);
@@ -94,8 +118,9 @@ std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& commo
     if (op == kMul && both_whole) return "matrixCompMult(" + left + ", " + right + ")";
     if (op == kAdd || op == kSub || op == kMul) return "(" + left + Sign(op) + right + ")";
     const bool truncate = !is_float;
-    return ByColumns(common, {left, right}, {a_type.components() == 1 && keep_scalars ? ScalarType(common.scalar) : common,
-                                             b_type.components() == 1 && keep_scalars ? ScalarType(common.scalar) : common},
+    return ByColumns(common, {left, right},
+                     {a_type.components() == 1 && keep_scalars ? ScalarType(common.scalar) : common,
+                      b_type.components() == 1 && keep_scalars ? ScalarType(common.scalar) : common},
                      [&](const auto& p) {
                        const char* name = op == kDiv ? "burin_div" : "burin_fmod";
                        if (op == kDiv && divisor_is_safe && !truncate) return "(" + p[0] + " / " + p[1] + ")";
@@ -103,15 +128,18 @@ std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& commo
                        return truncate && op == kDiv ? "trunc(" + call + ")" : call;
                      });
   }
-  if (op == kDiv && is_float && !divisor_is_safe) return Prelude("burin_div", storage) + "(" + left + ", " + right + ")";
+  if (op == kDiv && is_float && !divisor_is_safe)
+    return Prelude("burin_div", storage) + "(" + left + ", " + right + ")";
   if (op == kDiv && !is_float) {
-    return divisor_is_safe ? "(" + left + " / " + right + ")" : Prelude("burin_idiv", storage) + "(" + left + ", " + right + ")";
+    return divisor_is_safe ? "(" + left + " / " + right + ")"
+                           : Prelude("burin_idiv", storage) + "(" + left + ", " + right + ")";
   }
   if (op == kMod) return Prelude(is_float ? "burin_fmod" : "burin_imod", storage) + "(" + left + ", " + right + ")";
   return "(" + left + Sign(op) + right + ")";
 }
 
-std::string FunctionWriter::Comparison(ast::BinaryOperator op, const Type& common, const std::string& a, const std::string& b) {
+std::string FunctionWriter::Comparison(ast::BinaryOperator op, const Type& common, const std::string& a,
+                                       const std::string& b) {
   const Storage storage = StorageOf(common);
   if (storage.is_matrix()) {
     return ByColumns(common, {a, b}, {common, common}, [&](const auto& p) {
@@ -127,10 +155,9 @@ std::string FunctionWriter::Logic(ast::BinaryOperator op, const ast::Binary& n, 
   const std::string a = ExpressionAs(*n.left, result);
   const std::string b = ExpressionAs(*n.right, result);
   const Storage storage = StorageOf(result);
-  if (storage.is_matrix()) {   // of 0 and 1
-    return ByColumns(result, {a, b}, {result, result}, [&](const auto& p) {
-      return std::string(is_and ? "min(" : "max(") + p[0] + ", " + p[1] + ")";
-    });
+  if (storage.is_matrix()) {  // of 0 and 1
+    return ByColumns(result, {a, b}, {result, result},
+                     [&](const auto& p) { return std::string(is_and ? "min(" : "max(") + p[0] + ", " + p[1] + ")"; });
   }
   if (storage.size == 1 && !NeedsEveryInvocation(*n.right)) return "(" + a + (is_and ? " && " : " || ") + b + ")";
   return Prelude(is_and ? "burin_and" : "burin_or", storage) + "(" + a + ", " + b + ")";
@@ -146,11 +173,16 @@ std::string FunctionWriter::Negated(const Type& type, const std::string& text) {
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Unary& n) {
   switch (n.op) {
-    case ast::UnaryOperator::kPlus: return ExpressionAs(*n.operand, e.type);
-    case ast::UnaryOperator::kNegate: return "(-" + ExpressionAs(*n.operand, e.type) + ")";
-    case ast::UnaryOperator::kBitNot: return "(~" + ExpressionAs(*n.operand, e.type) + ")";
-    case ast::UnaryOperator::kNot: return "(" + Negated(e.type, ExpressionAs(*n.operand, e.type)) + ")";
-    default: break;
+    case ast::UnaryOperator::kPlus:
+      return ExpressionAs(*n.operand, e.type);
+    case ast::UnaryOperator::kNegate:
+      return "(-" + ExpressionAs(*n.operand, e.type) + ")";
+    case ast::UnaryOperator::kBitNot:
+      return "(~" + ExpressionAs(*n.operand, e.type) + ")";
+    case ast::UnaryOperator::kNot:
+      return "(" + Negated(e.type, ExpressionAs(*n.operand, e.type)) + ")";
+    default:
+      break;
   }
   const bool is_post = n.op == ast::UnaryOperator::kPostIncrement || n.op == ast::UnaryOperator::kPostDecrement;
   const bool is_up = n.op == ast::UnaryOperator::kPreIncrement || n.op == ast::UnaryOperator::kPostIncrement;
@@ -167,7 +199,8 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Unary& n) 
   Lvalue rest = target;
   const std::string setup = (rest.setup.empty() ? "" : rest.setup + ", ") + before + " = " + Read(target);
   rest.setup.clear();
-  return "(" + setup + ", " + Store(rest, Arithmetic(op, *common, before, e.type, "1", one, true), *common) + ", " + before + ")";
+  return "(" + setup + ", " + Store(rest, Arithmetic(op, *common, before, e.type, "1", one, true), *common) + ", " +
+         before + ")";
 }
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Binary& n) {
@@ -202,20 +235,23 @@ std::string FunctionWriter::AnyAll(const std::string& name, const std::string& t
   const std::string matrix = Reusable(value, test, setup);
   std::string list;
   for (int i = 0; i < storage.columns; ++i) {
-    list += (i > 0 ? (name == "all" ? " && " : " || ") : "") + name + "(notEqual(" + matrix + "[" + std::to_string(i) + "], vec" +
-            std::to_string(storage.size) + "(0.0)))";
+    list += (i > 0 ? (name == "all" ? " && " : " || ") : "") + name + "(notEqual(" + matrix + "[" + std::to_string(i) +
+            "], vec" + std::to_string(storage.size) + "(0.0)))";
   }
   return Sequence(setup, "(" + list + ")");
 }
 
-std::string FunctionWriter::Componentwise(const Intrinsic& intrinsic, const IntrinsicCall& call, const std::vector<std::string>& arguments) {
+std::string FunctionWriter::Componentwise(const Intrinsic& intrinsic, const IntrinsicCall& call,
+                                          const std::vector<std::string>& arguments) {
   const auto form = [&](const std::vector<std::string>& texts, const Storage& storage) {
     const std::string glsl(intrinsic.glsl);
     std::string text;
     if (glsl.find('$') != std::string::npos) {
       for (std::size_t i = 0; i < glsl.size(); ++i) {
-        if (glsl[i] == '$') text += texts[static_cast<std::size_t>(glsl[++i] - '0')];
-        else text += glsl[i];
+        if (glsl[i] == '$')
+          text += texts[static_cast<std::size_t>(glsl[++i] - '0')];
+        else
+          text += glsl[i];
       }
       return text;
     }
@@ -233,7 +269,8 @@ std::string FunctionWriter::Componentwise(const Intrinsic& intrinsic, const Intr
       std::string list;
       Storage column = storage;
       column.columns = 1;
-      for (int i = 0; i < storage.columns; ++i) list += (i > 0 ? ", " : "") + form({m + "[" + std::to_string(i) + "]"}, column);
+      for (int i = 0; i < storage.columns; ++i)
+        list += (i > 0 ? ", " : "") + form({m + "[" + std::to_string(i) + "]"}, column);
       return "(" + (setup.empty() ? list : setup + ", " + list) + ")";
     }
     return form(arguments, storage);

@@ -12,7 +12,7 @@ namespace burin::fx {
 /// One overload: of which function, for which storage.
 struct PreludeFunction {
   std::string name;
-  std::string type;   ///< "vec3"
+  std::string type;  ///< "vec3"
   auto operator<=>(const PreludeFunction&) const = default;
 };
 

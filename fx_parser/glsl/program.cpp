@@ -24,7 +24,8 @@ std::string VaryingDeclarations(const std::vector<Semantic>& varyings, const cha
 std::string InputDeclarations(const std::vector<Semantic>& inputs) {
   std::string text;
   for (const Semantic& input : inputs) {
-    text += "layout(location = " + std::to_string(*VertexInputLocation(input.Key())) + ") in vec4 burin_in_" + input.Key() + ";\n";
+    text += "layout(location = " + std::to_string(*VertexInputLocation(input.Key())) + ") in vec4 burin_in_" +
+            input.Key() + ";\n";
   }
   return text;
 }
@@ -35,8 +36,12 @@ std::string AlphaTest() {
   return "uniform vec2 " + uniform +
          ";\n"
          "bool burin_alpha_passes(float a) {\n"
-         "  float r = " + uniform + ".y;\n"
-         "  switch (int(" + uniform + ".x)) {\n"
+         "  float r = " +
+         uniform +
+         ".y;\n"
+         "  switch (int(" +
+         uniform +
+         ".x)) {\n"
          "    case 1: return false;\n"
          "    case 2: return a < r;\n"
          "    case 3: return a == r;\n"
@@ -52,12 +57,14 @@ std::string AlphaTest() {
 void Collect(const StageWriter& stage, ProgramText& program) {
   program.parameters.insert(stage.parameters().begin(), stage.parameters().end());
   for (const SamplerBinding& binding : stage.sampler_order()) {
-    if (std::find(program.samplers.begin(), program.samplers.end(), binding) == program.samplers.end()) program.samplers.push_back(binding);
+    if (std::find(program.samplers.begin(), program.samplers.end(), binding) == program.samplers.end())
+      program.samplers.push_back(binding);
   }
   for (const auto& [binding, dimension] : stage.samplers()) program.dimensions.emplace(binding, dimension);
 }
 
-bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramText& program, std::vector<Semantic>& varyings) {
+bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramText& program,
+                   std::vector<Semantic>& varyings) {
   if (request.fragment.function == nullptr) {
     program.fragment_glsl = std::string(kHeader) + "void main() {\n}\n";
     return true;
@@ -80,8 +87,8 @@ bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramTex
   return true;
 }
 
-/// The quadrilateral as it comes: position in clip space, texture coordinates as they are, white where a diffuse colour is
-/// asked for, as the fixed pipeline without lighting has it.
+/// The quadrilateral as it comes: position in clip space, texture coordinates as they are, white where a diffuse colour
+/// is asked for, as the fixed pipeline without lighting has it.
 std::string PassThrough(const std::vector<Semantic>& varyings, std::vector<Semantic>& inputs) {
   inputs.push_back({"POSITION", 0});
   std::string main = "  gl_Position = burin_in_POSITION0;\n";
@@ -89,7 +96,8 @@ std::string PassThrough(const std::vector<Semantic>& varyings, std::vector<Seman
     std::string value = "vec4(0.0)";
     if (varying == Semantic{"COLOR", 0}) {
       value = "vec4(1.0)";
-    } else if (varying == Semantic{"POSITION", 0} || (varying.name == "TEXCOORD" && VertexInputLocation(varying.Key()))) {
+    } else if (varying == Semantic{"POSITION", 0} ||
+               (varying.name == "TEXCOORD" && VertexInputLocation(varying.Key()))) {
       if (varying.name != "POSITION") inputs.push_back(varying);
       value = "burin_in_" + varying.Key();
     }
@@ -98,7 +106,8 @@ std::string PassThrough(const std::vector<Semantic>& varyings, std::vector<Seman
   return main;
 }
 
-bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText& program, const std::vector<Semantic>& varyings) {
+bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText& program,
+                 const std::vector<Semantic>& varyings) {
   std::string main;
   std::vector<Semantic> inputs;
   if (request.vertex.function == nullptr) {
@@ -108,7 +117,8 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
     main = entry.Write();
     if (stage.failed()) return false;
     if (!entry.writes_position) {
-      stage.Error(request.vertex.range, "X4541", "'" + request.vertex.function->name + "': vertex shader must write POSITION");
+      stage.Error(request.vertex.range, "X4541",
+                  "'" + request.vertex.function->name + "': vertex shader must write POSITION");
       return false;
     }
     inputs = entry.inputs;
@@ -130,8 +140,8 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
 
 }  // namespace
 
-ProgramText WriteProgram(const ProgramRequest& request, const Checker& checker, const std::set<const ast::Variable*>& written,
-                         Diagnostics& diagnostics) {
+ProgramText WriteProgram(const ProgramRequest& request, const Checker& checker,
+                         const std::set<const ast::Variable*>& written, Diagnostics& diagnostics) {
   ProgramText program;
   std::vector<Semantic> varyings;
   StageWriter fragment(Stage::kFragment, checker, written, diagnostics);
@@ -145,7 +155,9 @@ ProgramText WriteProgram(const ProgramRequest& request, const Checker& checker, 
   for (const auto& [binding, dimension] : vertex.samplers()) {
     const auto at = fragment.samplers().find(binding);
     if (at != fragment.samplers().end() && at->second != dimension) {
-      vertex.Error(request.vertex.range, "B1012", "sampler '" + binding.sampler->name + "' is looked up in different dimensions by the two stages of a pass");
+      vertex.Error(
+          request.vertex.range, "B1012",
+          "sampler '" + binding.sampler->name + "' is looked up in different dimensions by the two stages of a pass");
     }
   }
   return program;

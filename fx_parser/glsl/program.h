@@ -12,10 +12,10 @@
 namespace burin::fx {
 
 struct EntryPoint {
-  const ast::Function* function = nullptr;            ///< null: a pass-through vertex stage, an empty fragment stage
-  std::vector<const ast::Expression*> arguments;      ///< checked; for the uniform parameters, in order
-  int shader_model = 3;                               ///< before 3, vertex colours are clamped
-  Range range;                                        ///< of the compile expression
+  const ast::Function* function = nullptr;        ///< null: a pass-through vertex stage, an empty fragment stage
+  std::vector<const ast::Expression*> arguments;  ///< checked; for the uniform parameters, in order
+  int shader_model = 3;                           ///< before 3, vertex colours are clamped
+  Range range;                                    ///< of the compile expression
 };
 
 struct ProgramRequest {
@@ -29,7 +29,7 @@ struct ProgramText {
   std::string vertex_glsl;
   std::string fragment_glsl;
   std::set<const ast::Variable*> parameters;
-  std::vector<SamplerBinding> samplers;               ///< fragment stage's first
+  std::vector<SamplerBinding> samplers;  ///< fragment stage's first
   std::map<SamplerBinding, Dimension> dimensions;
   std::vector<std::string> vertex_inputs;
   int targets = 0;

@@ -14,10 +14,15 @@ bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 Semantic ParseSemantic(std::string_view text) {
-  static const std::map<std::string_view, std::string_view> aliases = {
-      {"SV_POSITION", "POSITION"}, {"SV_TARGET", "COLOR"}, {"SV_DEPTH", "DEPTH"}, {"TEX", "TEXCOORD"},
-      {"COL", "COLOR"},            {"HPOS", "POSITION"},   {"WPOS", "VPOS"},      {"POSITIONT", "POSITION"},
-      {"FACE", "VFACE"}};
+  static const std::map<std::string_view, std::string_view> aliases = {{"SV_POSITION", "POSITION"},
+                                                                       {"SV_TARGET", "COLOR"},
+                                                                       {"SV_DEPTH", "DEPTH"},
+                                                                       {"TEX", "TEXCOORD"},
+                                                                       {"COL", "COLOR"},
+                                                                       {"HPOS", "POSITION"},
+                                                                       {"WPOS", "VPOS"},
+                                                                       {"POSITIONT", "POSITION"},
+                                                                       {"FACE", "VFACE"}};
   Semantic semantic;
   std::size_t end = text.size();
   while (end > 0 && IsDigit(text[end - 1])) --end;
@@ -29,9 +34,9 @@ Semantic ParseSemantic(std::string_view text) {
 }
 
 std::optional<int> VertexInputLocation(std::string_view text) {
-  static const std::map<std::string_view, int> locations = {
-      {"POSITION0", 0}, {"NORMAL0", 1}, {"TANGENT0", 2},     {"BINORMAL0", 3},
-      {"COLOR0", 4},    {"COLOR1", 5},  {"BLENDWEIGHT0", 6}, {"BLENDINDICES0", 7}};
+  static const std::map<std::string_view, int> locations = {{"POSITION0", 0},    {"NORMAL0", 1},      {"TANGENT0", 2},
+                                                            {"BINORMAL0", 3},    {"COLOR0", 4},       {"COLOR1", 5},
+                                                            {"BLENDWEIGHT0", 6}, {"BLENDINDICES0", 7}};
   const Semantic semantic = ParseSemantic(text);
   if (semantic.name == "TEXCOORD") {
     return semantic.index < 8 ? std::optional(8 + semantic.index) : std::nullopt;

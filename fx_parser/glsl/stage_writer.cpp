@@ -16,10 +16,14 @@ constexpr long kMaxLiteralComponents = 1024;
 
 std::string DimensionText(Dimension dimension) {
   switch (dimension) {
-    case Dimension::k1D: return "sampler1D";
-    case Dimension::k3D: return "sampler3D";
-    case Dimension::kCube: return "samplerCube";
-    default: return "sampler2D";
+    case Dimension::k1D:
+      return "sampler1D";
+    case Dimension::k3D:
+      return "sampler3D";
+    case Dimension::kCube:
+      return "samplerCube";
+    default:
+      return "sampler2D";
   }
 }
 
@@ -46,7 +50,8 @@ std::string StageWriter::StructName(const ast::Struct& structure) {
   if (const auto at = struct_names_.find(&structure); at != struct_names_.end()) return at->second;
   const std::string name = names_.Unique("T_", structure.name);
   std::string text = "struct " + name + " {\n";
-  for (const auto& member : structure.members) text += "  " + TypeText(member->type) + " " + GlslMemberName(member->name) + ";\n";
+  for (const auto& member : structure.members)
+    text += "  " + TypeText(member->type) + " " + GlslMemberName(member->name) + ";\n";
   if (structure.members.empty()) text += "  float burin_empty;\n";
   structs_ += text + "};\n";
   struct_names_.emplace(&structure, name);
@@ -57,8 +62,10 @@ std::string StageWriter::TypeText(const Type& type) {
   Type element = type;
   element.array.clear();
   std::string text = "void";
-  if (type.kind == TypeKind::kStruct && type.structure != nullptr) text = StructName(*type.structure);
-  else if (type.kind == TypeKind::kNumeric) text = StorageText(StorageOf(element));
+  if (type.kind == TypeKind::kStruct && type.structure != nullptr)
+    text = StructName(*type.structure);
+  else if (type.kind == TypeKind::kNumeric)
+    text = StorageText(StorageOf(element));
   return text + ArraySuffix(type);
 }
 
@@ -73,7 +80,8 @@ std::string StageWriter::ValueText(const Type& type, const std::vector<double>& 
   if (type.is_array()) {
     const Type element = *ElementType(type);
     std::string text = TypeText(type) + "(";
-    for (std::uint32_t i = 0; i < type.array.front(); ++i) text += (i > 0 ? ", " : "") + ValueText(element, numbers, next);
+    for (std::uint32_t i = 0; i < type.array.front(); ++i)
+      text += (i > 0 ? ", " : "") + ValueText(element, numbers, next);
     return text + ")";
   }
   if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
@@ -88,9 +96,11 @@ std::string StageWriter::ValueText(const Type& type, const std::vector<double>& 
   const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(next);
   next += count;
   if (count == 1) return NumberText(*first, storage.scalar);
-  const bool splat = !storage.is_matrix() && std::all_of(first, first + static_cast<std::ptrdiff_t>(count), [&](double x) { return x == *first; });
+  const bool splat = !storage.is_matrix() && std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
+                                                         [&](double x) { return x == *first; });
   std::string text = StorageText(storage) + "(";
-  for (std::size_t i = 0; i < (splat ? 1 : count); ++i) text += (i > 0 ? ", " : "") + NumberText(first[static_cast<std::ptrdiff_t>(i)], storage.scalar);
+  for (std::size_t i = 0; i < (splat ? 1 : count); ++i)
+    text += (i > 0 ? ", " : "") + NumberText(first[static_cast<std::ptrdiff_t>(i)], storage.scalar);
   return text + ")";
 }
 
@@ -144,8 +154,9 @@ std::string StageWriter::SamplerName(const SamplerBinding& binding, Dimension di
   if (inserted) {
     sampler_order_.push_back(binding);
   } else if (at->second != dimension) {
-    Error(range, "B1012", "sampler '" + binding.sampler->name + "' is looked up as a " + DimensionText(dimension) + " here and as a " +
-                              DimensionText(at->second) + " elsewhere in the same shader");
+    Error(range, "B1012",
+          "sampler '" + binding.sampler->name + "' is looked up as a " + DimensionText(dimension) + " here and as a " +
+              DimensionText(at->second) + " elsewhere in the same shader");
   }
   return "burin_s_" + binding.sampler->name + (binding.element >= 0 ? "[" + std::to_string(binding.element) + "]" : "");
 }
@@ -155,7 +166,8 @@ std::string StageWriter::PreludeName(const std::string& name, const std::string&
   return name;
 }
 
-std::string StageWriter::FunctionName(const ast::Function& function, const SamplerBindings& bindings, const Range& call) {
+std::string StageWriter::FunctionName(const ast::Function& function, const SamplerBindings& bindings,
+                                      const Range& call) {
   if (failed_) return {};
   const ast::Function* definition = checker_.Definition(function);
   if (definition == nullptr) {
@@ -172,7 +184,8 @@ std::string StageWriter::FunctionName(const ast::Function& function, const Sampl
   }
   if (const auto at = instances_.find(key); at != instances_.end()) return at->second;
   if (instances_.size() >= kMaxInstances || functions_.size() > kMaxStageText || call_depth_ >= kMaxCallDepth) {
-    Error(call, "B1013", "the shader grows past what can be translated: too many functions, or calls nested too deeply");
+    Error(call, "B1013",
+          "the shader grows past what can be translated: too many functions, or calls nested too deeply");
     return {};
   }
   const std::string name = names_.Unique("f_", definition->name);
@@ -190,7 +203,8 @@ std::string StageWriter::Declarations() const {
   std::set<const ast::Variable*> declared;
   for (const auto& [binding, dimension] : samplers_) {
     if (!declared.insert(binding.sampler).second) continue;
-    text += "uniform " + DimensionText(dimension) + " burin_s_" + binding.sampler->name + ArraySuffix(binding.sampler->type) + ";\n";
+    text += "uniform " + DimensionText(dimension) + " burin_s_" + binding.sampler->name +
+            ArraySuffix(binding.sampler->type) + ";\n";
   }
   return structs_ + text + globals_ + PreludeText(prelude_) + functions_;
 }

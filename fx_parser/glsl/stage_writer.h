@@ -33,7 +33,8 @@ inline constexpr int kMaxCallDepth = 128;
 
 class StageWriter {
  public:
-  StageWriter(Stage stage, const Checker& checker, const std::set<const ast::Variable*>& written, Diagnostics& diagnostics)
+  StageWriter(Stage stage, const Checker& checker, const std::set<const ast::Variable*>& written,
+              Diagnostics& diagnostics)
       : stage_(stage), checker_(checker), written_(written), diagnostics_(diagnostics) {}
 
   [[nodiscard]] Stage stage() const { return stage_; }

@@ -37,7 +37,8 @@ std::string FunctionWriter::Function(const ast::Function& function, const std::s
   } else {
     Statement(*function.body);
   }
-  return stage_.TypeText(function.return_type) + " " + name + "(" + parameters + ") {\n" + temporaries_ + zeros + body_ + "}\n";
+  return stage_.TypeText(function.return_type) + " " + name + "(" + parameters + ") {\n" + temporaries_ + zeros +
+         body_ + "}\n";
 }
 
 void FunctionWriter::Line(const std::string& text) {
@@ -45,7 +46,8 @@ void FunctionWriter::Line(const std::string& text) {
   body_ += text;
   body_ += '\n';
   if (body_.size() > kMaxStageText && !stage_.failed() && function_ != nullptr) {
-    stage_.Error(function_->range, "B1013", "the shader grows past what can be translated: too much text in one function");
+    stage_.Error(function_->range, "B1013",
+                 "the shader grows past what can be translated: too much text in one function");
   }
 }
 
@@ -66,7 +68,9 @@ void FunctionWriter::Body(const ast::StatementPtr& statement) {
   --indent_;
 }
 
-std::string FunctionWriter::Condition(const ast::Expression& e) { return Bare(ExpressionAs(e, ScalarType(Scalar::kBool))); }
+std::string FunctionWriter::Condition(const ast::Expression& e) {
+  return Bare(ExpressionAs(e, ScalarType(Scalar::kBool)));
+}
 
 void FunctionWriter::Write(const ast::Block& block) {
   for (const auto& statement : block.statements) Statement(*statement);
@@ -76,16 +80,16 @@ void FunctionWriter::Local(const ast::Variable& variable) {
   // Tables of constants stay out of the function, where they would be filled again at every call.
   if ((variable.qualifiers & ast::kConst) != 0 && variable.type.is_array() && stage_.DeclareConstant(variable)) return;
   const std::string type = stage_.TypeText(variable.type);
-  const std::string value =
-      variable.initializer != nullptr ? ExpressionAs(*variable.initializer, variable.type) : stage_.ZeroText(variable.type);
+  const std::string value = variable.initializer != nullptr ? ExpressionAs(*variable.initializer, variable.type)
+                                                            : stage_.ZeroText(variable.type);
   const std::string name = stage_.VariableName(variable);
   if (!value.empty()) {
     Line(type + " " + name + " = " + value + ";");
     return;
   }
   Line(type + " " + name + ";");
-  Line("for (int i = 0; i < " + std::to_string(variable.type.array.front()) + "; ++i) " + name + "[i] = " +
-       stage_.ZeroText(*ElementType(variable.type)) + ";");
+  Line("for (int i = 0; i < " + std::to_string(variable.type.array.front()) + "; ++i) " + name +
+       "[i] = " + stage_.ZeroText(*ElementType(variable.type)) + ";");
 }
 
 void FunctionWriter::Write(const ast::DeclarationStatement& declaration) {
@@ -161,7 +165,8 @@ void FunctionWriter::Write(const ast::Continue&) { Line("continue;"); }
 
 void FunctionWriter::Write(const ast::Discard&) {
   if (stage_.stage() == Stage::kVertex) {
-    if (function_ != nullptr) stage_.Error(function_->range, "X4532", "'" + function_->name + "': discard cannot be used in a vertex shader");
+    if (function_ != nullptr)
+      stage_.Error(function_->range, "X4532", "'" + function_->name + "': discard cannot be used in a vertex shader");
     return;
   }
   Line("discard;");

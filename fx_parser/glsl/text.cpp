@@ -27,17 +27,28 @@ std::string StorageText(const Storage& storage) {
   const char* scalar = "float";
   const char* prefix = "";
   switch (storage.scalar) {
-    case Scalar::kBool: scalar = "bool"; prefix = "b"; break;
-    case Scalar::kInt: scalar = "int"; prefix = "i"; break;
-    case Scalar::kUint: scalar = "uint"; prefix = "u"; break;
-    default: break;
+    case Scalar::kBool:
+      scalar = "bool";
+      prefix = "b";
+      break;
+    case Scalar::kInt:
+      scalar = "int";
+      prefix = "i";
+      break;
+    case Scalar::kUint:
+      scalar = "uint";
+      prefix = "u";
+      break;
+    default:
+      break;
   }
   return storage.size == 1 ? scalar : std::string(prefix) + "vec" + std::to_string(storage.size);
 }
 
 std::string NumberText(double number, Scalar scalar) {
   if (scalar == Scalar::kBool) return number != 0 ? "true" : "false";
-  if (scalar == Scalar::kUint) return std::to_string(static_cast<std::uint32_t>(static_cast<std::int64_t>(number))) + "u";
+  if (scalar == Scalar::kUint)
+    return std::to_string(static_cast<std::uint32_t>(static_cast<std::int64_t>(number))) + "u";
   if (scalar == Scalar::kInt) {
     const auto value = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(number)));
     if (value == std::numeric_limits<std::int32_t>::min()) return "(-2147483647 - 1)";
@@ -54,7 +65,8 @@ std::string NumberText(double number, Scalar scalar) {
 
 bool IsSimpleText(const std::string& text) {
   return std::ranges::all_of(text, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '[' || c == ']';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+           c == '[' || c == ']';
   });
 }
 

@@ -11,9 +11,9 @@ namespace burin::fx {
 /// How a numeric type without arrays is held. Half and double are float. Matrices are of floats, whatever their scalar;
 /// those of one row or column are vectors, and float1 and float1x1 are scalars.
 struct Storage {
-  Scalar scalar = Scalar::kFloat;   ///< kBool, kInt, kUint or kFloat
-  int columns = 1;                  ///< GLSL columns: 1 for scalars and vectors, HLSL's rows for matrices
-  int size = 1;                     ///< components of a scalar or vector, or of each column
+  Scalar scalar = Scalar::kFloat;  ///< kBool, kInt, kUint or kFloat
+  int columns = 1;                 ///< GLSL columns: 1 for scalars and vectors, HLSL's rows for matrices
+  int size = 1;                    ///< components of a scalar or vector, or of each column
   bool operator==(const Storage&) const = default;
   [[nodiscard]] bool is_matrix() const { return columns > 1; }
 };

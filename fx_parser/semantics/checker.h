@@ -35,7 +35,8 @@ class Checker {
   void CheckInitializer(ast::Expression& initializer, const Type& type, const std::string& name);
   /// The type of an annotation.
   Type ResolveType(ast::TypeName& name);
-  Type ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionPtr>& sizes, const ast::Expression* initializer);
+  Type ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionPtr>& sizes,
+                        const ast::Expression* initializer);
 
   [[nodiscard]] const std::vector<ast::Variable*>& globals() const { return globals_; }
   [[nodiscard]] const std::vector<ast::Technique*>& techniques() const { return techniques_; }
@@ -117,7 +118,7 @@ class Checker {
   std::vector<ast::Technique*> techniques_;
   std::map<std::string, std::vector<ast::Function*>> functions_;
   std::unordered_map<const ast::Function*, std::set<const ast::Function*>> calls_;
-  ast::Function* current_ = nullptr;   ///< the function whose body is being checked
+  ast::Function* current_ = nullptr;  ///< the function whose body is being checked
   int loop_depth_ = 0;
   int switch_depth_ = 0;
 };

@@ -32,19 +32,23 @@ void Checker::ReportNoOverload(const ast::Call& call) {
     std::vector<std::string> names = FunctionNames();
     for (const Intrinsic& intrinsic : Intrinsics()) names.emplace_back(intrinsic.name);
     const std::string near = NearestName(call.name, names);
-    diagnostics_.Error(call.name_range, "X3004", "undeclared identifier '" + call.name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    diagnostics_.Error(
+        call.name_range, "X3004",
+        "undeclared identifier '" + call.name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
     return;
   }
   const std::string kind = user == functions_.end() ? "intrinsic function" : "function";
   Diagnostic& error = diagnostics_.Error(call.name_range, "X3013",
-                                         "'" + call.name + "': no matching " + std::to_string(call.arguments.size()) + " parameter " + kind +
-                                             " for (" + Types(call.arguments) + ")");
+                                         "'" + call.name + "': no matching " + std::to_string(call.arguments.size()) +
+                                             " parameter " + kind + " for (" + Types(call.arguments) + ")");
   if (user != functions_.end()) {
-    for (const ast::Function* candidate : user->second) error.notes.push_back({candidate->range, "candidate: " + Describe(*candidate)});
+    for (const ast::Function* candidate : user->second)
+      error.notes.push_back({candidate->range, "candidate: " + Describe(*candidate)});
     return;
   }
   for (const Intrinsic& intrinsic : Intrinsics()) {
-    if (intrinsic.name == call.name) error.notes.push_back({call.name_range, "candidate: " + DescribeIntrinsic(intrinsic)});
+    if (intrinsic.name == call.name)
+      error.notes.push_back({call.name_range, "candidate: " + DescribeIntrinsic(intrinsic)});
   }
 }
 
@@ -52,7 +56,8 @@ Type Checker::CheckUserCall(ast::Expression& e, ast::Call& call, const std::vect
   const OverloadChoice choice = ChooseOverload(functions_[call.name], types);
   if (choice.ambiguous) {
     Diagnostic& error = diagnostics_.Error(e.range, "X3067", "'" + call.name + "': ambiguous function call");
-    for (const ast::Function* candidate : functions_[call.name]) error.notes.push_back({candidate->range, "candidate: " + Describe(*candidate)});
+    for (const ast::Function* candidate : functions_[call.name])
+      error.notes.push_back({candidate->range, "candidate: " + Describe(*candidate)});
     return Type{};
   }
   call.function = choice.function;
@@ -88,7 +93,8 @@ Type Checker::Check(ast::Expression& e, ast::Call& call) {
   }
   if (failed) return Type{};
   const auto user = functions_.find(call.name);
-  if (user != functions_.end() && ChooseOverload(user->second, types).function != nullptr) return CheckUserCall(e, call, types);
+  if (user != functions_.end() && ChooseOverload(user->second, types).function != nullptr)
+    return CheckUserCall(e, call, types);
   call.intrinsic = FindIntrinsic(call.name, types);
   if (call.intrinsic >= 0) return CheckIntrinsicCall(e, call, types);
   ReportNoOverload(call);

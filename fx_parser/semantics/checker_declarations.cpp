@@ -15,11 +15,16 @@ Checker::Checker(ast::Module& module, bool after_syntax_errors, Diagnostics& dia
 void Checker::CheckModule() {
   for (auto& declaration : module_.declarations) {
     if (diagnostics_.exhausted()) return;
-    if (auto* structure = std::get_if<std::unique_ptr<ast::Struct>>(&declaration)) CheckStruct(**structure);
-    else if (auto* alias = std::get_if<std::unique_ptr<ast::Typedef>>(&declaration)) CheckTypedef(**alias);
-    else if (auto* variable = std::get_if<std::unique_ptr<ast::Variable>>(&declaration)) CheckGlobal(**variable);
-    else if (auto* function = std::get_if<std::unique_ptr<ast::Function>>(&declaration)) CheckFunction(**function);
-    else if (auto* technique = std::get_if<std::unique_ptr<ast::Technique>>(&declaration)) techniques_.push_back(technique->get());
+    if (auto* structure = std::get_if<std::unique_ptr<ast::Struct>>(&declaration))
+      CheckStruct(**structure);
+    else if (auto* alias = std::get_if<std::unique_ptr<ast::Typedef>>(&declaration))
+      CheckTypedef(**alias);
+    else if (auto* variable = std::get_if<std::unique_ptr<ast::Variable>>(&declaration))
+      CheckGlobal(**variable);
+    else if (auto* function = std::get_if<std::unique_ptr<ast::Function>>(&declaration))
+      CheckFunction(**function);
+    else if (auto* technique = std::get_if<std::unique_ptr<ast::Technique>>(&declaration))
+      techniques_.push_back(technique->get());
   }
   CheckRecursion();
 }
@@ -68,14 +73,16 @@ Type Checker::ResolveType(ast::TypeName& name) {
       name.type = symbol->type;
       name.type.row_major = name.type.row_major || row_major;
     } else {
-      if (!after_syntax_errors_) diagnostics_.Error(name.range, "X3000", "unrecognized identifier '" + name.name + "': a type was expected");
+      if (!after_syntax_errors_)
+        diagnostics_.Error(name.range, "X3000", "unrecognized identifier '" + name.name + "': a type was expected");
       name.type = Type{};
     }
   }
   return name.type;
 }
 
-Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionPtr>& sizes, const ast::Expression* initializer) {
+Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionPtr>& sizes,
+                               const ast::Expression* initializer) {
   Type type = ResolveType(name);
   if (sizes.empty() || type.kind == TypeKind::kError) return type;
   const Type element = type;
@@ -111,7 +118,8 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
   for (const std::uint32_t size : type.array) {
     components *= size;
     if (components > kMaxVariableComponents) {
-      diagnostics_.Error(name.range, "X3059", "array has more than " + std::to_string(kMaxVariableComponents) + " components");
+      diagnostics_.Error(name.range, "X3059",
+                         "array has more than " + std::to_string(kMaxVariableComponents) + " components");
       return Type{};
     }
   }
@@ -134,7 +142,8 @@ void Checker::CheckStruct(ast::Struct& structure) {
     if (!inserted) ReportRedefinition(member->name, member->range, &at->second->range);
   }
   if (FlatComponents(Type{.kind = TypeKind::kStruct, .structure = &structure, .array = {}}) > kMaxVariableComponents) {
-    diagnostics_.Error(structure.range, "X3059", "struct has more than " + std::to_string(kMaxVariableComponents) + " components");
+    diagnostics_.Error(structure.range, "X3059",
+                       "struct has more than " + std::to_string(kMaxVariableComponents) + " components");
     structure.members.clear();
   }
   if (structure.name.empty()) return;
@@ -142,7 +151,8 @@ void Checker::CheckStruct(ast::Struct& structure) {
   symbol.structure = &structure;
   Symbol existing;
   if (!scopes_.Declare(structure.name, symbol, &existing)) {
-    ReportRedefinition(structure.name, structure.range, existing.structure != nullptr ? &existing.structure->range : nullptr);
+    ReportRedefinition(structure.name, structure.range,
+                       existing.structure != nullptr ? &existing.structure->range : nullptr);
   }
 }
 
@@ -151,7 +161,8 @@ void Checker::CheckTypedef(ast::Typedef& alias) {
   symbol.alias = &alias;
   symbol.type = ResolveArrayType(alias.type_name, alias.array_sizes, nullptr);
   Symbol existing;
-  if (!scopes_.Declare(alias.name, symbol, &existing) && !(existing.alias != nullptr && SameType(existing.type, symbol.type))) {
+  if (!scopes_.Declare(alias.name, symbol, &existing) &&
+      !(existing.alias != nullptr && SameType(existing.type, symbol.type))) {
     ReportRedefinition(alias.name, alias.range, existing.alias != nullptr ? &existing.alias->range : nullptr);
   }
 }
@@ -162,14 +173,16 @@ void Checker::DeclareVariable(ast::Variable& variable) {
   symbol.variable = &variable;
   Symbol existing;
   if (!scopes_.Declare(variable.name, symbol, &existing)) {
-    ReportRedefinition(variable.name, variable.range, existing.variable != nullptr ? &existing.variable->range : nullptr);
+    ReportRedefinition(variable.name, variable.range,
+                       existing.variable != nullptr ? &existing.variable->range : nullptr);
   }
 }
 
 void Checker::CheckGlobal(ast::Variable& variable) {
   variable.type = ResolveArrayType(variable.type_name, variable.array_sizes, variable.initializer.get());
   if (variable.type.kind == TypeKind::kVoid) {
-    diagnostics_.Error(variable.range, "X3038", "'" + variable.name + "': global variables cannot be declared as 'void'");
+    diagnostics_.Error(variable.range, "X3038",
+                       "'" + variable.name + "': global variables cannot be declared as 'void'");
     variable.type = Type{};
   }
   const bool is_const = (variable.qualifiers & ast::kConst) != 0;
@@ -185,7 +198,8 @@ void Checker::CheckGlobal(ast::Variable& variable) {
       const int errors = diagnostics_.error_count();
       CheckInitializer(*variable.initializer, variable.type, variable.name);
       if (!is_static && diagnostics_.error_count() == errors && !EvaluateAs(*variable.initializer, variable.type)) {
-        diagnostics_.Error(variable.initializer->range, "X3011", "'" + variable.name + "': initial value must be a literal expression");
+        diagnostics_.Error(variable.initializer->range, "X3011",
+                           "'" + variable.name + "': initial value must be a literal expression");
       }
     }
   }
@@ -197,9 +211,11 @@ void Checker::DeclareFunction(ast::Function& function) {
   auto& overloads = functions_[function.name];
   for (const ast::Function* other : overloads) {
     if (!SameParameters(*other, function)) continue;
-    if (other->body != nullptr && function.body != nullptr) ReportRedefinition(function.name, function.range, &other->range);
+    if (other->body != nullptr && function.body != nullptr)
+      ReportRedefinition(function.name, function.range, &other->range);
     else if (!SameType(other->return_type, function.return_type)) {
-      diagnostics_.Error(function.range, "X3096", "'" + function.name + "': function return value differs from prototype")
+      diagnostics_
+          .Error(function.range, "X3096", "'" + function.name + "': function return value differs from prototype")
           .notes.push_back({other->range, "the prototype is here"});
     }
   }
@@ -246,7 +262,8 @@ void Checker::CheckFunction(ast::Function& function) {
 bool Checker::ReportCycle(const ast::Function& function, std::set<const ast::Function*>& done,
                           std::vector<const ast::Function*>& stack) {
   if (std::find(stack.begin(), stack.end(), &function) != stack.end()) {
-    Diagnostic& error = diagnostics_.Error(function.range, "X3500", "'" + function.name + "': recursive functions are not allowed");
+    Diagnostic& error =
+        diagnostics_.Error(function.range, "X3500", "'" + function.name + "': recursive functions are not allowed");
     for (auto at = std::find(stack.begin(), stack.end(), &function); at != stack.end(); ++at) {
       const ast::Function* next = at + 1 != stack.end() ? *(at + 1) : &function;
       error.notes.push_back({(*at)->range, "'" + (*at)->name + "' calls '" + next->name + "'"});

@@ -30,7 +30,7 @@ std::string SuggestionText(const std::string& near) { return near.empty() ? "" :
 }  // namespace
 
 Type Checker::CheckExpression(ast::ExpressionPtr& expression) {
-  if (expression == nullptr) {   // what did not parse; a nameless name is an error nobody reports twice
+  if (expression == nullptr) {  // what did not parse; a nameless name is an error nobody reports twice
     expression = std::make_unique<ast::Expression>();
     expression->node = ast::Name{};
   }
@@ -47,7 +47,8 @@ Type Checker::CheckExpression(ast::Expression& expression) {
 bool Checker::RequireNumeric(const ast::Expression& operand) {
   if (operand.type.kind == TypeKind::kError) return false;
   if (operand.type.is_numeric()) return true;
-  diagnostics_.Error(operand.range, "X3022", "scalar, vector, or matrix expected, found '" + ToString(operand.type) + "'");
+  diagnostics_.Error(operand.range, "X3022",
+                     "scalar, vector, or matrix expected, found '" + ToString(operand.type) + "'");
   return false;
 }
 
@@ -55,8 +56,8 @@ void Checker::WarnTruncation(const ast::Expression& operand, const Type& to) {
   const auto conversion = ImplicitConversion(operand.type, to);
   if (!conversion || !conversion->truncates) return;
   diagnostics_.Warning(operand.range, "X3206",
-                       "implicit truncation of " + std::string(operand.type.is_matrix ? "matrix" : "vector") + " type from '" +
-                           ToString(operand.type) + "' to '" + ToString(to) + "'");
+                       "implicit truncation of " + std::string(operand.type.is_matrix ? "matrix" : "vector") +
+                           " type from '" + ToString(operand.type) + "' to '" + ToString(to) + "'");
 }
 
 bool Checker::RequireConversion(const ast::Expression& expression, const Type& to) {
@@ -83,14 +84,16 @@ bool Checker::RequireLvalue(const ast::Expression& target) {
     return false;
   }
   if (FlatComponents(target.type) < 0) {
-    diagnostics_.Error(target.range, "X3025", "'" + root->name + "': a " + ToString(target.type) + " cannot be assigned to");
+    diagnostics_.Error(target.range, "X3025",
+                       "'" + root->name + "': a " + ToString(target.type) + " cannot be assigned to");
     return false;
   }
   for (const ast::Expression* e = &target; e != nullptr;) {
     if (const auto* member = std::get_if<ast::Member>(&e->node)) {
       const auto swizzle = ParseSwizzle(member->operand->type, member->name);
       if (swizzle && HasDuplicates(*swizzle)) {
-        diagnostics_.Error(member->name_range, "X3025", "swizzle '" + member->name + "' names a component twice, so it cannot be assigned to");
+        diagnostics_.Error(member->name_range, "X3025",
+                           "swizzle '" + member->name + "' names a component twice, so it cannot be assigned to");
         return false;
       }
       e = member->operand.get();
@@ -104,8 +107,12 @@ bool Checker::RequireLvalue(const ast::Expression& target) {
 }
 
 Type Checker::Check(ast::Expression&, ast::BoolLiteral&) { return ScalarType(Scalar::kBool); }
-Type Checker::Check(ast::Expression&, ast::IntLiteral& n) { return ScalarType(n.is_unsigned ? Scalar::kUint : Scalar::kInt); }
-Type Checker::Check(ast::Expression&, ast::FloatLiteral& n) { return ScalarType(n.is_half ? Scalar::kHalf : Scalar::kFloat); }
+Type Checker::Check(ast::Expression&, ast::IntLiteral& n) {
+  return ScalarType(n.is_unsigned ? Scalar::kUint : Scalar::kInt);
+}
+Type Checker::Check(ast::Expression&, ast::FloatLiteral& n) {
+  return ScalarType(n.is_half ? Scalar::kHalf : Scalar::kFloat);
+}
 Type Checker::Check(ast::Expression&, ast::StringLiteral&) { return StringType(); }
 
 Type Checker::Check(ast::Expression& e, ast::Name& n) {
@@ -119,7 +126,9 @@ Type Checker::Check(ast::Expression& e, ast::Name& n) {
   } else if (functions_.contains(n.name)) {
     diagnostics_.Error(e.range, "X3005", "identifier '" + n.name + "' represents a function, not a variable");
   } else if (!after_syntax_errors_) {
-    diagnostics_.Error(e.range, "X3004", "undeclared identifier '" + n.name + "'" + SuggestionText(NearestName(n.name, scopes_.VariableNames())));
+    diagnostics_.Error(
+        e.range, "X3004",
+        "undeclared identifier '" + n.name + "'" + SuggestionText(NearestName(n.name, scopes_.VariableNames())));
   }
   return Type{};
 }
@@ -128,16 +137,19 @@ Type Checker::Check(ast::Expression& e, ast::Unary& n) {
   const Type type = CheckExpression(n.operand);
   if (!RequireNumeric(*n.operand)) return Type{};
   switch (n.op) {
-    case ast::UnaryOperator::kNot: return WithScalar(type, Scalar::kBool);
+    case ast::UnaryOperator::kNot:
+      return WithScalar(type, Scalar::kBool);
     case ast::UnaryOperator::kPlus:
-    case ast::UnaryOperator::kNegate: return type.scalar == Scalar::kBool ? WithScalar(type, Scalar::kInt) : type;
+    case ast::UnaryOperator::kNegate:
+      return type.scalar == Scalar::kBool ? WithScalar(type, Scalar::kInt) : type;
     case ast::UnaryOperator::kBitNot:
       if (IsFloating(type.scalar)) {
         diagnostics_.Error(e.range, "X3082", "int or unsigned int type required");
         return Type{};
       }
       return type.scalar == Scalar::kBool ? WithScalar(type, Scalar::kInt) : type;
-    default: return RequireLvalue(*n.operand) ? type : Type{};
+    default:
+      return RequireLvalue(*n.operand) ? type : Type{};
   }
 }
 
@@ -149,7 +161,8 @@ Type Checker::Check(ast::Expression& e, ast::Binary& n) {
   if (!RequireNumeric(*n.right) || !left_numeric) return Type{};
   const auto common = CommonType(n.left->type, n.right->type);
   if (!common) {
-    diagnostics_.Error(e.range, "X3020", "type mismatch: '" + ToString(n.left->type) + "' and '" + ToString(n.right->type) + "'");
+    diagnostics_.Error(e.range, "X3020",
+                       "type mismatch: '" + ToString(n.left->type) + "' and '" + ToString(n.right->type) + "'");
     return Type{};
   }
   if (IsBitwise(n.op) && IsFloating(common->scalar)) {
@@ -170,7 +183,8 @@ Type Checker::Check(ast::Expression& e, ast::Assign& n) {
     if (!RequireNumeric(*n.value) || !target_numeric) return Type{};
     const auto common = CommonType(target, n.value->type);
     if (!common || !ImplicitConversion(WithScalar(*common, target.scalar), target)) {
-      diagnostics_.Error(e.range, "X3020", "type mismatch: '" + ToString(target) + "' and '" + ToString(n.value->type) + "'");
+      diagnostics_.Error(e.range, "X3020",
+                         "type mismatch: '" + ToString(target) + "' and '" + ToString(n.value->type) + "'");
       return Type{};
     }
     if (IsBitwise(*n.op) && IsFloating(common->scalar)) {
@@ -188,16 +202,21 @@ Type Checker::Check(ast::Expression& e, ast::Conditional& n) {
   const Type condition = CheckExpression(n.condition);
   const Type if_true = CheckExpression(n.if_true);
   const Type if_false = CheckExpression(n.if_false);
-  if (!RequireNumeric(*n.condition) || if_true.kind == TypeKind::kError || if_false.kind == TypeKind::kError) return Type{};
+  if (!RequireNumeric(*n.condition) || if_true.kind == TypeKind::kError || if_false.kind == TypeKind::kError)
+    return Type{};
   if (!if_true.is_numeric() || !if_false.is_numeric()) {
     if (SameType(if_true, if_false) && condition.components() == 1) return if_true;
-    diagnostics_.Error(e.range, "X3020", "type mismatch between conditional values: '" + ToString(if_true) + "' and '" + ToString(if_false) + "'");
+    diagnostics_.Error(
+        e.range, "X3020",
+        "type mismatch between conditional values: '" + ToString(if_true) + "' and '" + ToString(if_false) + "'");
     return Type{};
   }
   auto common = CommonType(if_true, if_false);
   if (common && if_true.scalar == Scalar::kBool && if_false.scalar == Scalar::kBool) common->scalar = Scalar::kBool;
   if (!common) {
-    diagnostics_.Error(e.range, "X3020", "type mismatch between conditional values: '" + ToString(if_true) + "' and '" + ToString(if_false) + "'");
+    diagnostics_.Error(
+        e.range, "X3020",
+        "type mismatch between conditional values: '" + ToString(if_true) + "' and '" + ToString(if_false) + "'");
     return Type{};
   }
   WarnTruncation(*n.if_true, WithScalar(*common, if_true.scalar));
@@ -206,8 +225,9 @@ Type Checker::Check(ast::Expression& e, ast::Conditional& n) {
   // A vector condition chooses by component, and splats scalar values.
   if (common->components() == 1) return WithScalar(condition, common->scalar);
   if (common->components() != condition.components()) {
-    diagnostics_.Error(n.condition->range, "X3020",
-                       "dimension of conditional does not match value: '" + ToString(condition) + "' and '" + ToString(*common) + "'");
+    diagnostics_.Error(
+        n.condition->range, "X3020",
+        "dimension of conditional does not match value: '" + ToString(condition) + "' and '" + ToString(*common) + "'");
     return Type{};
   }
   return *common;
@@ -225,7 +245,8 @@ Type Checker::Check(ast::Expression& e, ast::Construct& n) {
     }
     const long components = FlatComponents(argument_type);
     if (components < 0) {
-      diagnostics_.Error(argument->range, "X3022", "scalar, vector, or matrix expected, found '" + ToString(argument_type) + "'");
+      diagnostics_.Error(argument->range, "X3022",
+                         "scalar, vector, or matrix expected, found '" + ToString(argument_type) + "'");
       failed = true;
     }
     count += components;
@@ -285,19 +306,22 @@ Type Checker::Check(ast::Expression& e, ast::Index& n) {
   if (operand.kind == TypeKind::kError || index.kind == TypeKind::kError) return Type{};
   const auto element = ElementType(operand);
   if (!element) {
-    diagnostics_.Error(e.range, "X3121", "array, matrix, vector, or indexable object type expected in index expression, found '" +
-                                             ToString(operand) + "'");
+    diagnostics_.Error(e.range, "X3121",
+                       "array, matrix, vector, or indexable object type expected in index expression, found '" +
+                           ToString(operand) + "'");
     return Type{};
   }
   if (!index.is_numeric() || index.components() != 1) {
-    diagnostics_.Error(n.index->range, "X3120", "invalid type for index: index must be a scalar, found '" + ToString(index) + "'");
+    diagnostics_.Error(n.index->range, "X3120",
+                       "invalid type for index: index must be a scalar, found '" + ToString(index) + "'");
     return Type{};
   }
   if (const auto value = Evaluate(*n.index); value && !value->numbers.empty()) {
     const double at = RoundToScalar(value->numbers[0], Scalar::kInt);
     if (at < 0 || at >= ElementCount(operand)) {
-      diagnostics_.Error(n.index->range, "X3504", "index out of bounds: '" + ToString(operand) + "' has " +
-                                                      std::to_string(ElementCount(operand)) + " elements");
+      diagnostics_.Error(n.index->range, "X3504",
+                         "index out of bounds: '" + ToString(operand) + "' has " +
+                             std::to_string(ElementCount(operand)) + " elements");
       return Type{};
     }
   }
@@ -315,7 +339,8 @@ long Checker::CheckListElements(ast::InitializerList& list) {
       const Type type = CheckExpression(element);
       components = type.kind == TypeKind::kError ? -1 : type.kind == TypeKind::kString ? 1 : FlatComponents(type);
       if (components < 0 && type.kind != TypeKind::kError) {
-        diagnostics_.Error(element->range, "X3022", "scalar, vector, or matrix expected, found '" + ToString(type) + "'");
+        diagnostics_.Error(element->range, "X3022",
+                           "scalar, vector, or matrix expected, found '" + ToString(type) + "'");
       }
     }
     failed = failed || components < 0;
@@ -338,8 +363,8 @@ void Checker::CheckInitializer(ast::Expression& initializer, const Type& type, c
   if (type.kind == TypeKind::kString) wanted = static_cast<long>(ZeroValue(type).strings.size());
   if (count != wanted) {
     diagnostics_.Error(initializer.range, "X3017",
-                       "'" + name + "': initializer does not match type: '" + ToString(type) + "' takes " + std::to_string(wanted) +
-                           " values, found " + std::to_string(count));
+                       "'" + name + "': initializer does not match type: '" + ToString(type) + "' takes " +
+                           std::to_string(wanted) + " values, found " + std::to_string(count));
   }
 }
 

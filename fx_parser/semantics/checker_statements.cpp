@@ -28,7 +28,8 @@ void Checker::CheckCondition(ast::ExpressionPtr& condition, const char* statemen
   const Type type = CheckExpression(condition);
   if (type.kind == TypeKind::kError) return;
   if (!type.is_numeric() || type.components() != 1) {
-    diagnostics_.Error(condition->range, "X3019", std::string(statement) + " conditional expressions must evaluate to a scalar");
+    diagnostics_.Error(condition->range, "X3019",
+                       std::string(statement) + " conditional expressions must evaluate to a scalar");
   }
 }
 
@@ -41,10 +42,12 @@ void Checker::Visit(ast::Block& block, const Range&) {
 void Checker::CheckLocal(ast::Variable& variable) {
   variable.type = ResolveArrayType(variable.type_name, variable.array_sizes, variable.initializer.get());
   if (variable.type.kind == TypeKind::kVoid) {
-    diagnostics_.Error(variable.range, "X3038", "'" + variable.name + "': local variables cannot be declared as 'void'");
+    diagnostics_.Error(variable.range, "X3038",
+                       "'" + variable.name + "': local variables cannot be declared as 'void'");
     variable.type = Type{};
   } else if (variable.type.kind == TypeKind::kSampler || variable.type.kind == TypeKind::kTexture) {
-    diagnostics_.Error(variable.range, "X3000", "'" + variable.name + "': samplers and textures must be declared at file scope");
+    diagnostics_.Error(variable.range, "X3000",
+                       "'" + variable.name + "': samplers and textures must be declared at file scope");
     variable.type = Type{};
   }
   if ((variable.qualifiers & ast::kConst) != 0 && variable.initializer == nullptr) {
@@ -110,8 +113,10 @@ void Checker::Visit(ast::Switch& choice, const Range&) {
       has_default = true;
     } else if (CheckExpression(arm.value).kind != TypeKind::kError) {
       const auto value = EvaluateAs(*arm.value, ScalarType(Scalar::kInt));
-      if (!value) diagnostics_.Error(arm.value->range, "X3020", "case values must be literal integers");
-      else if (!seen.insert(value->numbers[0]).second) diagnostics_.Error(arm.value->range, "X3532", "duplicate case in switch statement");
+      if (!value)
+        diagnostics_.Error(arm.value->range, "X3020", "case values must be literal integers");
+      else if (!seen.insert(value->numbers[0]).second)
+        diagnostics_.Error(arm.value->range, "X3532", "duplicate case in switch statement");
     }
     CheckStatements(arm.statements);
   }
@@ -139,7 +144,8 @@ void Checker::Visit(ast::Return& leave, const Range& range) {
 }
 
 void Checker::Visit(ast::Break&, const Range& range) {
-  if (loop_depth_ == 0 && switch_depth_ == 0) diagnostics_.Error(range, "X3518", "break must be inside a loop or switch");
+  if (loop_depth_ == 0 && switch_depth_ == 0)
+    diagnostics_.Error(range, "X3518", "break must be inside a loop or switch");
 }
 
 void Checker::Visit(ast::Continue&, const Range& range) {

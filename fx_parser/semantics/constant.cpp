@@ -68,10 +68,16 @@ class Evaluator {
     if (!value) return std::nullopt;
     for (double& x : value->numbers) {
       switch (n.op) {
-        case ast::UnaryOperator::kPlus: break;
-        case ast::UnaryOperator::kNegate: x = RoundToScalar(-x, e.type.scalar); break;
-        case ast::UnaryOperator::kBitNot: x = RoundToScalar(static_cast<double>(~static_cast<std::int64_t>(x)), e.type.scalar); break;
-        default: return std::nullopt;
+        case ast::UnaryOperator::kPlus:
+          break;
+        case ast::UnaryOperator::kNegate:
+          x = RoundToScalar(-x, e.type.scalar);
+          break;
+        case ast::UnaryOperator::kBitNot:
+          x = RoundToScalar(static_cast<double>(~static_cast<std::int64_t>(x)), e.type.scalar);
+          break;
+        default:
+          return std::nullopt;
       }
     }
     return value;
@@ -83,36 +89,54 @@ class Evaluator {
     const auto ia = static_cast<std::int64_t>(integral ? a : 0);
     const auto ib = static_cast<std::int64_t>(integral ? b : 0);
     switch (op) {
-      case kMul: return integral ? static_cast<double>(ia * ib) : a * b;
+      case kMul:
+        return integral ? static_cast<double>(ia * ib) : a * b;
       case kDiv:
         if (integral) return ib == 0 ? 0.0 : static_cast<double>(ia / ib);
         return b == 0 ? a * std::numeric_limits<float>::max() : a / b;
       case kMod:
         if (integral) return ib == 0 ? 0.0 : static_cast<double>(ia % ib);
         return std::fmod(a, b);
-      case kAdd: return a + b;
-      case kSub: return a - b;
-      case kShl: return static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(ia) << (ib & 31)));
-      case kShr: return static_cast<double>(ia >> (ib & 31));
-      case kBitAnd: return static_cast<double>(ia & ib);
-      case kBitXor: return static_cast<double>(ia ^ ib);
-      case kBitOr: return static_cast<double>(ia | ib);
-      default: return 0;
+      case kAdd:
+        return a + b;
+      case kSub:
+        return a - b;
+      case kShl:
+        return static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(ia) << (ib & 31)));
+      case kShr:
+        return static_cast<double>(ia >> (ib & 31));
+      case kBitAnd:
+        return static_cast<double>(ia & ib);
+      case kBitXor:
+        return static_cast<double>(ia ^ ib);
+      case kBitOr:
+        return static_cast<double>(ia | ib);
+      default:
+        return 0;
     }
   }
 
   static bool Compare(ast::BinaryOperator op, double a, double b) {
     using enum ast::BinaryOperator;
     switch (op) {
-      case kLess: return a < b;
-      case kGreater: return a > b;
-      case kLessEqual: return a <= b;
-      case kGreaterEqual: return a >= b;
-      case kEqual: return a == b;
-      case kNotEqual: return a != b;
-      case kAnd: return a != 0 && b != 0;
-      case kOr: return a != 0 || b != 0;
-      default: return false;
+      case kLess:
+        return a < b;
+      case kGreater:
+        return a > b;
+      case kLessEqual:
+        return a <= b;
+      case kGreaterEqual:
+        return a >= b;
+      case kEqual:
+        return a == b;
+      case kNotEqual:
+        return a != b;
+      case kAnd:
+        return a != 0 && b != 0;
+      case kOr:
+        return a != 0 || b != 0;
+      default:
+        return false;
     }
   }
 
@@ -134,8 +158,10 @@ class Evaluator {
     for (std::size_t i = 0; i < a->numbers.size(); ++i) {
       double& x = a->numbers[i];
       const double y = b->numbers[i];
-      if (logical || comparison) x = Compare(n.op, x, y) ? 1 : 0;
-      else x = RoundToScalar(Arithmetic(n.op, x, y, operand.scalar), operand.scalar);
+      if (logical || comparison)
+        x = Compare(n.op, x, y) ? 1 : 0;
+      else
+        x = RoundToScalar(Arithmetic(n.op, x, y, operand.scalar), operand.scalar);
     }
     a->type = e.type;
     return a;
@@ -185,7 +211,8 @@ class Evaluator {
 
   Result FromNumbers(const std::vector<double>& numbers, const Type& type) {
     std::vector<Scalar> scalars;
-    if (FlatComponents(type) < 0 || static_cast<std::size_t>(FlatComponents(type)) > numbers.size()) return std::nullopt;
+    if (FlatComponents(type) < 0 || static_cast<std::size_t>(FlatComponents(type)) > numbers.size())
+      return std::nullopt;
     AppendFlatScalars(type, scalars);
     Value value{type, {}, {}};
     for (std::size_t i = 0; i < scalars.size(); ++i) value.numbers.push_back(RoundToScalar(numbers[i], scalars[i]));
@@ -299,20 +326,24 @@ std::optional<Value> EvaluateAs(const ast::Expression& expression, const Type& t
 
 double RoundToScalar(double number, Scalar scalar) {
   switch (scalar) {
-    case Scalar::kBool: return number != 0 ? 1 : 0;
+    case Scalar::kBool:
+      return number != 0 ? 1 : 0;
     case Scalar::kInt:
       if (!(std::fabs(number) < 9.2e18)) return 0;
-      return static_cast<double>(static_cast<std::int32_t>(static_cast<std::uint64_t>(static_cast<std::int64_t>(number))));
+      return static_cast<double>(
+          static_cast<std::int32_t>(static_cast<std::uint64_t>(static_cast<std::int64_t>(number))));
     case Scalar::kUint:
       if (!(std::fabs(number) < 9.2e18)) return 0;
-      return static_cast<double>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(static_cast<std::int64_t>(number))));
+      return static_cast<double>(
+          static_cast<std::uint32_t>(static_cast<std::uint64_t>(static_cast<std::int64_t>(number))));
     case Scalar::kHalf:
     case Scalar::kFloat:
       if (std::fabs(number) > std::numeric_limits<float>::max()) {
         return std::copysign(static_cast<double>(std::numeric_limits<float>::max()), number);
       }
       return static_cast<double>(static_cast<float>(number));
-    case Scalar::kDouble: return number;
+    case Scalar::kDouble:
+      return number;
   }
   return number;
 }
@@ -327,10 +358,14 @@ std::optional<Value> ConvertValue(const Value& value, const Type& type) {
   if (count < 0 || value.numbers.empty()) return std::nullopt;
   Value result{type, {}, {}};
   const auto wanted = static_cast<std::size_t>(count);
-  if (value.numbers.size() == 1 && value.type.is_numeric()) result.numbers.assign(wanted, value.numbers[0]);
-  else if (value.type.is_numeric() && type.is_numeric() && ExplicitlyConvertible(value.type, type)) result.numbers = Truncated(value, type);
-  else if (value.numbers.size() >= wanted) result.numbers.assign(value.numbers.begin(), value.numbers.begin() + count);
-  else return std::nullopt;
+  if (value.numbers.size() == 1 && value.type.is_numeric())
+    result.numbers.assign(wanted, value.numbers[0]);
+  else if (value.type.is_numeric() && type.is_numeric() && ExplicitlyConvertible(value.type, type))
+    result.numbers = Truncated(value, type);
+  else if (value.numbers.size() >= wanted)
+    result.numbers.assign(value.numbers.begin(), value.numbers.begin() + count);
+  else
+    return std::nullopt;
   std::vector<Scalar> scalars;
   AppendFlatScalars(type, scalars);
   for (std::size_t i = 0; i < wanted; ++i) result.numbers[i] = RoundToScalar(result.numbers[i], scalars[i]);

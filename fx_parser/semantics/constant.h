@@ -31,6 +31,7 @@ using VariableLookup = std::function<const Value*(const ast::Variable&)>;
 [[nodiscard]] double RoundToScalar(double number, Scalar scalar);
 
 /// A componentwise or geometric intrinsic over constants; empty when it has no constant value.
-[[nodiscard]] std::optional<Value> EvaluateIntrinsic(int intrinsic, const std::vector<Value>& arguments, const Type& result);
+[[nodiscard]] std::optional<Value> EvaluateIntrinsic(int intrinsic, const std::vector<Value>& arguments,
+                                                     const Type& result);
 
 }  // namespace burin::fx

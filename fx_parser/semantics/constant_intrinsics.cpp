@@ -62,7 +62,9 @@ const std::map<std::string_view, Componentwise>& ComponentwiseTable() {
       {"round", [](double x, double, double) { return std::floor(x + 0.5); }},
       {"rsqrt", [](double x, double, double) { return x == 0 ? kLargest : 1 / std::sqrt(std::fabs(x)); }},
       {"saturate", [](double x, double, double) { return Saturate(x); }},
-      {"sign", [](double x, double, double) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }},
+      {"sign", [](double x, double, double) { return x > 0   ? 1.0
+                                                     : x < 0 ? -1.0
+                                                             : 0.0; }},
       {"sin", [](double x, double, double) { return std::sin(x); }},
       {"sinh", [](double x, double, double) { return std::sinh(x); }},
       {"smoothstep",
@@ -141,8 +143,14 @@ Components Refract(const std::vector<Value>& a) {
 const std::map<std::string_view, Geometric>& GeometricTable() {
   using V = const std::vector<Value>&;
   static const std::map<std::string_view, Geometric> table = {
-      {"all", [](V a) -> Components { return {std::ranges::all_of(a[0].numbers, [](double x) { return x != 0; }) ? 1.0 : 0.0}; }},
-      {"any", [](V a) -> Components { return {std::ranges::any_of(a[0].numbers, [](double x) { return x != 0; }) ? 1.0 : 0.0}; }},
+      {"all",
+       [](V a) -> Components {
+         return {std::ranges::all_of(a[0].numbers, [](double x) { return x != 0; }) ? 1.0 : 0.0};
+       }},
+      {"any",
+       [](V a) -> Components {
+         return {std::ranges::any_of(a[0].numbers, [](double x) { return x != 0; }) ? 1.0 : 0.0};
+       }},
       {"cross",
        [](V a) -> Components {
          const Components& x = a[0].numbers;
@@ -152,7 +160,8 @@ const std::map<std::string_view, Geometric>& GeometricTable() {
       {"D3DCOLORtoUBYTE4",
        [](V a) -> Components {
          const Components& c = a[0].numbers;
-         return {std::trunc(c[2] * 255.002), std::trunc(c[1] * 255.002), std::trunc(c[0] * 255.002), std::trunc(c[3] * 255.002)};
+         return {std::trunc(c[2] * 255.002), std::trunc(c[1] * 255.002), std::trunc(c[0] * 255.002),
+                 std::trunc(c[3] * 255.002)};
        }},
       {"determinant", [](V a) -> Components { return {Determinant(a[0].numbers, a[0].type.rows)}; }},
       {"distance",
@@ -162,7 +171,10 @@ const std::map<std::string_view, Geometric>& GeometricTable() {
          return {std::sqrt(Dot(d, d))};
        }},
       {"dot", [](V a) -> Components { return {Dot(a[0].numbers, a[1].numbers)}; }},
-      {"dst", [](V a) -> Components { return {1, a[0].numbers[1] * a[1].numbers[1], a[0].numbers[2], a[1].numbers[3]}; }},
+      {"dst",
+       [](V a) -> Components {
+         return {1, a[0].numbers[1] * a[1].numbers[1], a[0].numbers[2], a[1].numbers[3]};
+       }},
       {"faceforward",
        [](V a) {
          Components n = a[0].numbers;

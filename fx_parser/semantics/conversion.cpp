@@ -36,15 +36,20 @@ std::optional<Conversion> NumericConversion(const Type& from, const Type& to) {
       result.truncates = true;
     }
   } else if (from_count == 1) {
-    if (to_count > 1) result.cost += kSplatCost;
-    else if (from.is_vector != to.is_vector || from.is_matrix != to.is_matrix) result.cost += kScalarRankCost;
+    if (to_count > 1)
+      result.cost += kSplatCost;
+    else if (from.is_vector != to.is_vector || from.is_matrix != to.is_matrix)
+      result.cost += kScalarRankCost;
   } else if (from.is_matrix || to.is_matrix) {
     // A vector and a matrix convert when they hold the same number of components; a matrix also truncates to a scalar,
     // and a matrix of one row or column behaves as a vector.
     const bool is_line = from.is_matrix ? (from.rows == 1 || from.columns == 1) : (to.rows == 1 || to.columns == 1);
-    if (from_count == to_count) result.cost += kReshapeCost;
-    else if (to_count < from_count && (to_count == 1 || is_line)) result.truncates = true;
-    else return std::nullopt;
+    if (from_count == to_count)
+      result.cost += kReshapeCost;
+    else if (to_count < from_count && (to_count == 1 || is_line))
+      result.truncates = true;
+    else
+      return std::nullopt;
   } else if (to_count > from_count) {
     return std::nullopt;
   } else {
@@ -58,7 +63,9 @@ Scalar Promoted(Scalar scalar) { return scalar == Scalar::kBool ? Scalar::kInt :
 
 }  // namespace
 
-bool IsFloating(Scalar scalar) { return scalar == Scalar::kHalf || scalar == Scalar::kFloat || scalar == Scalar::kDouble; }
+bool IsFloating(Scalar scalar) {
+  return scalar == Scalar::kHalf || scalar == Scalar::kFloat || scalar == Scalar::kDouble;
+}
 bool IsIntegral(Scalar scalar) { return scalar == Scalar::kInt || scalar == Scalar::kUint; }
 
 Scalar CommonScalar(Scalar a, Scalar b) { return std::max(Promoted(a), Promoted(b)); }
@@ -99,9 +106,11 @@ std::optional<Conversion> ImplicitConversion(const Type& from, const Type& to) {
     }
     case TypeKind::kSampler:
     case TypeKind::kTexture:
-      if (from.dimension == Dimension::kUnknown || to.dimension == Dimension::kUnknown) return Conversion{kScalarRankCost, false};
+      if (from.dimension == Dimension::kUnknown || to.dimension == Dimension::kUnknown)
+        return Conversion{kScalarRankCost, false};
       return std::nullopt;
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -12,7 +12,7 @@ namespace burin::fx {
 /// `cost` orders overloads: scalar promotions cost least, then changes of scalar kind, splats, truncations.
 struct Conversion {
   int cost = 0;
-  bool truncates = false;   ///< X3206
+  bool truncates = false;  ///< X3206
 };
 
 /// Empty when `from` does not convert to `to` without a cast.

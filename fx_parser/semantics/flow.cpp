@@ -33,7 +33,8 @@ bool AlwaysReturns(const ast::Statement& statement) {
     return branch->else_branch != nullptr && branch->then_branch != nullptr && AlwaysReturns(*branch->then_branch) &&
            AlwaysReturns(*branch->else_branch);
   }
-  if (const auto* loop = std::get_if<ast::DoWhile>(&statement.node)) return loop->body != nullptr && AlwaysReturns(*loop->body);
+  if (const auto* loop = std::get_if<ast::DoWhile>(&statement.node))
+    return loop->body != nullptr && AlwaysReturns(*loop->body);
   if (const auto* choice = std::get_if<ast::Switch>(&statement.node)) return SwitchReturns(*choice);
   return false;
 }
@@ -41,12 +42,14 @@ bool AlwaysReturns(const ast::Statement& statement) {
 bool HasReturn(const ast::Statement& statement) {
   if (std::holds_alternative<ast::Return>(statement.node)) return true;
   if (const auto* block = std::get_if<ast::Block>(&statement.node)) return std::ranges::any_of(block->statements, Has);
-  if (const auto* branch = std::get_if<ast::If>(&statement.node)) return Has(branch->then_branch) || Has(branch->else_branch);
+  if (const auto* branch = std::get_if<ast::If>(&statement.node))
+    return Has(branch->then_branch) || Has(branch->else_branch);
   if (const auto* loop = std::get_if<ast::For>(&statement.node)) return Has(loop->body);
   if (const auto* loop = std::get_if<ast::While>(&statement.node)) return Has(loop->body);
   if (const auto* loop = std::get_if<ast::DoWhile>(&statement.node)) return Has(loop->body);
   if (const auto* choice = std::get_if<ast::Switch>(&statement.node)) {
-    return std::ranges::any_of(choice->cases, [](const ast::Case& arm) { return std::ranges::any_of(arm.statements, Has); });
+    return std::ranges::any_of(choice->cases,
+                               [](const ast::Case& arm) { return std::ranges::any_of(arm.statements, Has); });
   }
   return false;
 }

@@ -111,16 +111,30 @@ Type FixedType(char c) {
   Type sampler;
   sampler.kind = TypeKind::kSampler;
   switch (c) {
-    case 'f': return ScalarType(Scalar::kFloat);
-    case 'b': return ScalarType(Scalar::kBool);
-    case 'i': return VectorType(Scalar::kInt, 4);
-    case '2': return VectorType(Scalar::kFloat, 2);
-    case '3': return VectorType(Scalar::kFloat, 3);
-    case '4': return VectorType(Scalar::kFloat, 4);
-    case 'p': sampler.dimension = Dimension::k1D; return sampler;
-    case 'q': sampler.dimension = Dimension::k2D; return sampler;
-    case 'r': sampler.dimension = Dimension::k3D; return sampler;
-    case 'c': sampler.dimension = Dimension::kCube; return sampler;
+    case 'f':
+      return ScalarType(Scalar::kFloat);
+    case 'b':
+      return ScalarType(Scalar::kBool);
+    case 'i':
+      return VectorType(Scalar::kInt, 4);
+    case '2':
+      return VectorType(Scalar::kFloat, 2);
+    case '3':
+      return VectorType(Scalar::kFloat, 3);
+    case '4':
+      return VectorType(Scalar::kFloat, 4);
+    case 'p':
+      sampler.dimension = Dimension::k1D;
+      return sampler;
+    case 'q':
+      sampler.dimension = Dimension::k2D;
+      return sampler;
+    case 'r':
+      sampler.dimension = Dimension::k3D;
+      return sampler;
+    case 'c':
+      sampler.dimension = Dimension::kCube;
+      return sampler;
     default: {
       Type none;
       none.kind = TypeKind::kVoid;
@@ -203,10 +217,14 @@ Type ResultType(char letter, const std::optional<Type>& generic) {
   switch (letter) {
     case 'F':
     case 'N':
-    case 'V': return *generic;
-    case 'B': return WithScalar(*generic, Scalar::kBool);
-    case 'I': return WithScalar(*generic, Scalar::kInt);
-    default: return FixedType(letter);
+    case 'V':
+      return *generic;
+    case 'B':
+      return WithScalar(*generic, Scalar::kBool);
+    case 'I':
+      return WithScalar(*generic, Scalar::kInt);
+    default:
+      return FixedType(letter);
   }
 }
 
@@ -215,7 +233,8 @@ Type ResultType(char letter, const std::optional<Type>& generic) {
 std::span<const Intrinsic> Intrinsics() { return kIntrinsics; }
 
 bool IsIntrinsic(std::string_view name) {
-  return std::any_of(std::begin(kIntrinsics), std::end(kIntrinsics), [&](const Intrinsic& i) { return i.name == name; });
+  return std::any_of(std::begin(kIntrinsics), std::end(kIntrinsics),
+                     [&](const Intrinsic& i) { return i.name == name; });
 }
 
 std::optional<IntrinsicCall> ResolveIntrinsic(const Intrinsic& intrinsic, std::span<const Type> arguments) {
@@ -265,16 +284,25 @@ Dimension LookupDimension(const Intrinsic& intrinsic) {
 std::string DescribeIntrinsic(const Intrinsic& intrinsic) {
   const auto describe = [](char letter) -> std::string {
     switch (letter) {
-      case 'F': return "float<>";
-      case 'N': return "numeric<>";
-      case 'B': return "bool<>";
-      case 'I': return "int<>";
-      case 'V': return "vector<>";
+      case 'F':
+        return "float<>";
+      case 'N':
+        return "numeric<>";
+      case 'B':
+        return "bool<>";
+      case 'I':
+        return "int<>";
+      case 'V':
+        return "vector<>";
       case 'M':
-      case 'm': return "matrix<>";
-      case 'Q': return "square matrix<>";
-      case '*': return "numeric<>";
-      default: return ToString(FixedType(letter));
+      case 'm':
+        return "matrix<>";
+      case 'Q':
+        return "square matrix<>";
+      case '*':
+        return "numeric<>";
+      default:
+        return ToString(FixedType(letter));
     }
   };
   const Parsed parsed = ParseSignature(intrinsic.signature);

@@ -15,9 +15,9 @@ namespace burin::fx {
 /// What an intrinsic needs beyond its arguments.
 enum IntrinsicTrait : unsigned {
   kPure = 0,
-  kFragmentOnly = 1u << 0,          ///< ddx, clip: no vertex stage has them
-  kImplicitDerivatives = 1u << 1,   ///< tex2D and ddx: undefined where neighbours do not run
-  kHasEffect = 1u << 2,             ///< clip, sincos: not only a value
+  kFragmentOnly = 1u << 0,         ///< ddx, clip: no vertex stage has them
+  kImplicitDerivatives = 1u << 1,  ///< tex2D and ddx: undefined where neighbours do not run
+  kHasEffect = 1u << 2,            ///< clip, sincos: not only a value
 };
 
 /// `signature`: result, ':', parameters. F float of any shape, N numeric of any shape, B/I bool/int of that shape,
@@ -42,7 +42,8 @@ struct IntrinsicCall {
 [[nodiscard]] bool IsIntrinsic(std::string_view name);
 
 /// The types that a call with these arguments has; empty when the arguments do not fit.
-[[nodiscard]] std::optional<IntrinsicCall> ResolveIntrinsic(const Intrinsic& intrinsic, std::span<const Type> arguments);
+[[nodiscard]] std::optional<IntrinsicCall> ResolveIntrinsic(const Intrinsic& intrinsic,
+                                                            std::span<const Type> arguments);
 
 /// Index in Intrinsics() of the form of `name` that takes these arguments; -1 when none does.
 [[nodiscard]] int FindIntrinsic(std::string_view name, std::span<const Type> arguments);

@@ -27,8 +27,8 @@ class ScopeStack {
   void Pop() { scopes_.pop_back(); }
   /// Pops a for statement's scope and leaves its variables behind as leaked ones.
   void PopLeaking();
-  /// False when this scope has the name already; `*existing` is then what it stood for. The name means the new one either
-  /// way, which gives fewer errors that follow from the first.
+  /// False when this scope has the name already; `*existing` is then what it stood for. The name means the new one
+  /// either way, which gives fewer errors that follow from the first.
   bool Declare(const std::string& name, const Symbol& symbol, Symbol* existing);
   [[nodiscard]] const Symbol* Find(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> VariableNames() const;

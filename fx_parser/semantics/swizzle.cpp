@@ -50,7 +50,8 @@ Type SwizzleType(const Type& type, std::size_t components) {
 
 bool HasDuplicates(const std::vector<SwizzleComponent>& swizzle) {
   for (std::size_t i = 0; i < swizzle.size(); ++i) {
-    if (std::find(swizzle.begin() + static_cast<std::ptrdiff_t>(i) + 1, swizzle.end(), swizzle[i]) != swizzle.end()) return true;
+    if (std::find(swizzle.begin() + static_cast<std::ptrdiff_t>(i) + 1, swizzle.end(), swizzle[i]) != swizzle.end())
+      return true;
   }
   return false;
 }

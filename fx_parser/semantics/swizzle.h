@@ -11,7 +11,7 @@
 namespace burin::fx {
 
 struct SwizzleComponent {
-  int row = 0;      ///< 0 for vectors and scalars
+  int row = 0;  ///< 0 for vectors and scalars
   int column = 0;
   bool operator==(const SwizzleComponent&) const = default;
 };

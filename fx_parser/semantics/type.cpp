@@ -8,41 +8,61 @@ namespace {
 
 std::string ScalarName(Scalar scalar) {
   switch (scalar) {
-    case Scalar::kBool: return "bool";
-    case Scalar::kInt: return "int";
-    case Scalar::kUint: return "uint";
-    case Scalar::kHalf: return "half";
-    case Scalar::kFloat: return "float";
-    case Scalar::kDouble: return "double";
+    case Scalar::kBool:
+      return "bool";
+    case Scalar::kInt:
+      return "int";
+    case Scalar::kUint:
+      return "uint";
+    case Scalar::kHalf:
+      return "half";
+    case Scalar::kFloat:
+      return "float";
+    case Scalar::kDouble:
+      return "double";
   }
   return "float";
 }
 
 std::string DimensionSuffix(Dimension dimension) {
   switch (dimension) {
-    case Dimension::kUnknown: return "";
-    case Dimension::k1D: return "1D";
-    case Dimension::k2D: return "2D";
-    case Dimension::k3D: return "3D";
-    case Dimension::kCube: return "CUBE";
+    case Dimension::kUnknown:
+      return "";
+    case Dimension::k1D:
+      return "1D";
+    case Dimension::k2D:
+      return "2D";
+    case Dimension::k3D:
+      return "3D";
+    case Dimension::kCube:
+      return "CUBE";
   }
   return "";
 }
 
 std::string BaseName(const Type& type) {
   switch (type.kind) {
-    case TypeKind::kError: return "<error>";
-    case TypeKind::kVoid: return "void";
-    case TypeKind::kString: return "string";
-    case TypeKind::kTexture: return "texture" + DimensionSuffix(type.dimension);
-    case TypeKind::kSampler: return "sampler" + DimensionSuffix(type.dimension);
-    case TypeKind::kVertexShader: return "vertexshader";
-    case TypeKind::kPixelShader: return "pixelshader";
-    case TypeKind::kStateBlock: return "stateblock";
+    case TypeKind::kError:
+      return "<error>";
+    case TypeKind::kVoid:
+      return "void";
+    case TypeKind::kString:
+      return "string";
+    case TypeKind::kTexture:
+      return "texture" + DimensionSuffix(type.dimension);
+    case TypeKind::kSampler:
+      return "sampler" + DimensionSuffix(type.dimension);
+    case TypeKind::kVertexShader:
+      return "vertexshader";
+    case TypeKind::kPixelShader:
+      return "pixelshader";
+    case TypeKind::kStateBlock:
+      return "stateblock";
     case TypeKind::kStruct:
       if (type.structure == nullptr || type.structure->name.empty()) return "struct <unnamed>";
       return type.structure->name;
-    case TypeKind::kNumeric: break;
+    case TypeKind::kNumeric:
+      break;
   }
   std::string name = ScalarName(type.scalar);
   if (type.is_matrix) return name + std::to_string(type.rows) + "x" + std::to_string(type.columns);

@@ -106,7 +106,8 @@ void AppendWritten(const ast::Expression& expression, std::set<const ast::Variab
     if (const ast::Variable* root = RootVariable(target)) written.insert(root);
   };
   if (const auto* assign = std::get_if<ast::Assign>(&expression.node)) add(*assign->target);
-  if (const auto* unary = std::get_if<ast::Unary>(&expression.node); unary != nullptr && unary->op >= ast::UnaryOperator::kPreIncrement) {
+  if (const auto* unary = std::get_if<ast::Unary>(&expression.node);
+      unary != nullptr && unary->op >= ast::UnaryOperator::kPreIncrement) {
     add(*unary->operand);
   }
   const auto* call = std::get_if<ast::Call>(&expression.node);

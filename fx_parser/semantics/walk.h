@@ -16,8 +16,8 @@ void ForEachExpression(const ast::Expression& expression, const ExpressionVisito
 /// The same for every expression of a statement, initialisers included.
 void ForEachExpression(const ast::Statement& statement, const ExpressionVisitor& visit);
 
-/// Adds the variables that `expression` itself assigns to (not those of expressions inside it): targets of assignments and
-/// increments, arguments of out parameters.
+/// Adds the variables that `expression` itself assigns to (not those of expressions inside it): targets of assignments
+/// and increments, arguments of out parameters.
 void AppendWritten(const ast::Expression& expression, std::set<const ast::Variable*>& written);
 
 /// Every variable that any function of the module writes to.

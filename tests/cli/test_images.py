@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Images and image sequences through effects: exact pixels, names, frames, whole files."""
 import json
+import subprocess
 import unittest
 
-from burin_cli import IDENTITY, INVERT, NUMBERS, BurinTest, gradient, identity, read_exr_channels, read_png, write_png
+from burin_cli import IDENTITY, INVERT, NUMBERS, PROGRAM, SOURCE, BurinTest, gradient, identity, read_exr_channels, read_png, write_png
 
 
 class Exact(BurinTest):
@@ -89,6 +90,56 @@ class Exact(BurinTest):
         # There and back: display to linear half to display.
         self.burin("render", "out.exr", "-o", "back.png")
         self.assertEqual(read_png(self.folder / "back.png")[0], [[255, 0, 188] * 3] * 3)
+
+
+class Colour(BurinTest):
+    """A constant of scene-linear light through display transforms; the numbers are worked out here."""
+
+    def setUp(self):
+        super().setUp()
+        self.config = SOURCE / "tests" / "data" / "ocio" / "gamma22.ocio"
+        self.write("quarter.fx", "float4 F(float2 uv : TEXCOORD0) : COLOR { return float4(0.25, 0.5, 0, 1); }\n"
+                                 'technique T < string ColorSpace = "linear"; > '
+                                 "{ pass P { PixelShader = compile ps_2_0 F(); } }\n")
+
+    def pixel(self, *arguments, env=None):
+        self.burin("render", "quarter.fx", "-o", "out.png", "--size", "2x2", "--alpha", "drop", *arguments, env=env or {})
+        return read_png(self.folder / "out.png")[0][0][:3]
+
+    def near(self, pixel, values):
+        for got, expected in zip(pixel, values):
+            self.assertAlmostEqual(got, 255 * expected, delta=0.51)
+
+    def test_the_built_in_transform_is_srgb(self):
+        self.near(self.pixel(), [1.055 * value ** (1 / 2.4) - 0.055 for value in (0.25, 0.5)] + [0])
+
+    def test_a_configuration_by_option_and_by_environment(self):
+        gamma = [value ** (1 / 2.2) for value in (0.25, 0.5, 0)]
+        self.near(self.pixel("--ocio", self.config), gamma)
+        self.near(self.pixel(env={"OCIO": str(self.config)}), gamma)
+        self.near(self.pixel("--ocio", self.config, "--view", "Half Gamma"), [(v / 2) ** (1 / 2.2) for v in (0.25, 0.5, 0)])
+
+    def test_exr_stays_scene_linear(self):
+        self.burin("render", "quarter.fx", "-o", "out.exr", "--size", "2x2", "--ocio", self.config)
+        self.burin("render", "out.exr", "-o", "back.png", "--ocio", self.config, "--alpha", "drop")
+        self.near(read_png(self.folder / "back.png")[0][0], [value ** (1 / 2.2) for value in (0.25, 0.5, 0)])
+
+    def test_display_pixels_through_a_display_effect_are_not_converted(self):
+        self.write("copy.fx", identity())
+        rows = gradient(9, 5, 3)
+        write_png(self.folder / "in.png", rows, 3)
+        self.burin("render", "copy.fx", "in.png", "-o", "same.png", "--ocio", self.config)
+        self.assertEqual(read_png(self.folder / "same.png")[0], rows)
+
+    def test_what_is_not_there_is_an_error(self):
+        for arguments, name in ((["--ocio", "none.ocio"], "none.ocio"), (["--ocio", self.config, "--display", "Cinema"], "Cinema"),
+                                (["--ocio", self.config, "--view", "Film"], "Film"), (["--view", "Film"], "--ocio")):
+            command = ["render", "quarter.fx", "-o", "out.png", "--size", "2x2", *arguments]
+            environment = self.environment()
+            result = subprocess.run([PROGRAM, *map(str, command)], cwd=self.folder, env=environment, capture_output=True)
+            self.assertIn(result.returncode, (2, 3), result.stderr)
+            self.assertIn(name, result.stderr.decode())
+        self.assertNotIn("out.png", self.names())
 
 
 class Sequences(BurinTest):

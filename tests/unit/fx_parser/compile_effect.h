@@ -18,7 +18,8 @@
 namespace burin::fx::test {
 
 inline const std::vector<std::string>& Attributes() {
-  static const std::vector<std::string> names = {"color", "intensity", "alpha", "albedo", "depth", "normal", "position", "objectid", "video"};
+  static const std::vector<std::string> names = {"color",  "intensity", "alpha",    "albedo", "depth",
+                                                 "normal", "position",  "objectid", "video"};
   return names;
 }
 
@@ -33,9 +34,13 @@ inline CompileResult Compile(const std::string& text) {
 /// "3:5: error: undeclared identifier 'x' [X3004]", a line each, notes indented below.
 inline std::string Messages(const CompileResult& result) {
   std::string text;
-  const auto place = [](const Range& range) { return std::to_string(range.begin.line) + ":" + std::to_string(range.begin.column) + ": "; };
+  const auto place = [](const Range& range) {
+    return std::to_string(range.begin.line) + ":" + std::to_string(range.begin.column) + ": ";
+  };
   for (const Diagnostic& d : result.diagnostics) {
-    const char* severity = d.severity == Severity::kError ? "error: " : d.severity == Severity::kWarning ? "warning: " : "note: ";
+    const char* severity = d.severity == Severity::kError     ? "error: "
+                           : d.severity == Severity::kWarning ? "warning: "
+                                                              : "note: ";
     text += place(d.range) + severity + d.text + " [" + d.code + "]\n";
     for (const Note& note : d.notes) text += "  " + place(note.range) + "note: " + note.text + "\n";
   }
@@ -51,7 +56,8 @@ inline bool HasGlslang() {
 
 /// Links the pair with glslangValidator; empty when it is valid, else the log.
 inline std::string GlslLog(const ShaderProgram& program) {
-  const std::string stem = (std::filesystem::temp_directory_path() / ("burin_glsl_" + std::to_string(getpid()))).string();
+  const std::string stem =
+      (std::filesystem::temp_directory_path() / ("burin_glsl_" + std::to_string(getpid()))).string();
   std::ofstream(stem + ".vert") << program.vertex_glsl;
   std::ofstream(stem + ".frag") << program.fragment_glsl;
   const std::string command = "glslangValidator -l " + stem + ".vert " + stem + ".frag > " + stem + ".log 2>&1";

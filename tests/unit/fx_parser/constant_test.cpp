@@ -20,7 +20,8 @@ void ExpectDefault(const std::string& declaration, const std::vector<double>& ex
   EXPECT_TRUE(last.has_default);
   ASSERT_EQ(last.default_value.numbers.size(), expected.size()) << declaration;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_NEAR(last.default_value.numbers[i], expected[i], kTolerance * std::max(1.0, std::fabs(expected[i]))) << declaration << " [" << i << "]";
+    EXPECT_NEAR(last.default_value.numbers[i], expected[i], kTolerance * std::max(1.0, std::fabs(expected[i])))
+        << declaration << " [" << i << "]";
   }
 }
 
@@ -94,7 +95,8 @@ TEST(Constant, MulKeepsRowsAndColumnsApart) {
 }
 
 TEST(Constant, DefaultsMustBeConstant) {
-  EXPECT_EQ(test::Messages("float a;\nfloat b = a * 2;"), "2:11: error: 'b': initial value must be a literal expression [X3011]\n");
+  EXPECT_EQ(test::Messages("float a;\nfloat b = a * 2;"),
+            "2:11: error: 'b': initial value must be a literal expression [X3011]\n");
 }
 
 TEST(Constant, ValueConversionTruncatesMatricesByRowsAndColumns) {
@@ -106,13 +108,16 @@ TEST(Constant, ValueConversionTruncatesMatricesByRowsAndColumns) {
 TEST(EvaluateExpression, ReadsParametersAsTheHostHasThem) {
   const CompileResult result = test::Compile(
       "int count = 2; float4 tint = 1; float4 PS() : COLOR { return tint; }\n"
-      "technique T { pass P { StencilRef = (count * 2 + 1); AlphaRef = <count>; BlendFactor = (tint * 0.5); PixelShader = compile ps_2_0 PS(); } }");
+      "technique T { pass P { StencilRef = (count * 2 + 1); AlphaRef = <count>; BlendFactor = (tint * 0.5); "
+      "PixelShader = compile ps_2_0 PS(); } }");
   ASSERT_TRUE(result.effect) << test::Messages(result);
   const auto& states = result.effect->techniques[0].passes[0].states;
   ASSERT_EQ(states.size(), 3u);
   std::vector<Value> values = {result.effect->parameters[0].default_value, result.effect->parameters[1].default_value};
   const ParameterLookup lookup = [&](std::size_t i) -> const Value& { return values[i]; };
-  const auto evaluate = [&](std::size_t i) { return EvaluateExpression(*result.effect, *std::get<const ast::Expression*>(states[i].value), lookup); };
+  const auto evaluate = [&](std::size_t i) {
+    return EvaluateExpression(*result.effect, *std::get<const ast::Expression*>(states[i].value), lookup);
+  };
   EXPECT_EQ(evaluate(0)->numbers, std::vector<double>{5});
   values[0].numbers = {10};
   EXPECT_EQ(evaluate(0)->numbers, std::vector<double>{21});

@@ -15,8 +15,8 @@ const char kShaders[] =
     "float4 One() : COLOR { return 1; }\n";
 
 std::string Reading(const std::string& texture) {
-  return "texture " + texture + ";\nsampler s_" + texture + " = sampler_state { Texture = <" + texture + ">; };\nfloat4 PS_" + texture +
-         "(float2 t : TEXCOORD0) : COLOR { return tex2D(s_" + texture + ", t); }\n";
+  return "texture " + texture + ";\nsampler s_" + texture + " = sampler_state { Texture = <" + texture +
+         ">; };\nfloat4 PS_" + texture + "(float2 t : TEXCOORD0) : COLOR { return tex2D(s_" + texture + ", t); }\n";
 }
 
 TEST(Effect, ThePapersFigure2IsWholeAndValid) {
@@ -48,13 +48,15 @@ TEST(Effect, ThePapersFigure2IsWholeAndValid) {
   const Pass& second = effect.techniques[0].passes[1];
   EXPECT_TRUE(second.targets.empty());
   EXPECT_EQ(second.program.samplers, std::vector<std::size_t>{1});
-  EXPECT_EQ(first.program.vertex_glsl.find("burin_pixel_offset"), std::string::npos) << "texel meets pixel in the extension";
+  EXPECT_EQ(first.program.vertex_glsl.find("burin_pixel_offset"), std::string::npos)
+      << "texel meets pixel in the extension";
 }
 
 TEST(Effect, ParametersKeepTypesSemanticsAndAnnotations) {
   const CompileResult result = Compile(
       "float4x4 wvp : WorldViewProjection;\n"
-      "float Script : STANDARDSGLOBAL < string UIWidget = \"none\"; float2 Range = { 0, 1 }; int Order = 1 + 1; > = 0.8;\n"
+      "float Script : STANDARDSGLOBAL < string UIWidget = \"none\"; float2 Range = { 0, 1 }; int Order = 1 + 1; > = "
+      "0.8;\n"
       "string Title = \"a\" \"b\";\nstatic float no; const float neither = 1; shared float yes;");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& parameters = result.effect->parameters;
@@ -72,7 +74,8 @@ TEST(Effect, TexturesOfFilesKnowTheirFileAndDimension) {
   const CompileResult result = Compile(
       "texture a < string ResourceName = \"a.dds\"; string ResourceType = \"CUBE\"; >;\n"
       "texture b < string name = \"b.png\"; >;\ntexture c;\nsampler3D s = sampler_state { Texture = <c>; };\n"
-      "texture d;\nsampler u = sampler_state { Texture = <d>; };\nfloat4 PS(float3 t : TEXCOORD0) : COLOR { return texCUBE(u, t); }\n"
+      "texture d;\nsampler u = sampler_state { Texture = <d>; };\nfloat4 PS(float3 t : TEXCOORD0) : COLOR { return "
+      "texCUBE(u, t); }\n"
       "technique T { pass P { PixelShader = compile ps_2_0 PS(); } }");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& textures = result.effect->textures;
@@ -87,9 +90,10 @@ TEST(Effect, TexturesOfFilesKnowTheirFileAndDimension) {
 }
 
 TEST(Effect, AUsesOwnTechniqueMakesACustomAttribute) {
-  const CompileResult result = Compile(std::string(kShaders) + Reading("GBAheat_R16F") +
-                                       "technique Main { pass P { PixelShader = compile ps_2_0 PS_GBAheat_R16F(); } }\n"
-                                       "technique GBAheat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 One(); } }");
+  const CompileResult result = Compile(
+      std::string(kShaders) + Reading("GBAheat_R16F") +
+      "technique Main { pass P { PixelShader = compile ps_2_0 PS_GBAheat_R16F(); } }\n"
+      "technique GBAheat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 One(); } }");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& role = std::get<AttributeRole>(result.effect->textures[0].role);
   EXPECT_EQ(role.attribute, "heat");
@@ -99,40 +103,50 @@ TEST(Effect, AUsesOwnTechniqueMakesACustomAttribute) {
 }
 
 TEST(DataFlow, APassResultNeedsItsPass) {
-  EXPECT_EQ(Messages(std::string(kShaders) + "texture PASS2_L8;\ntechnique T { pass { PixelShader = compile ps_2_0 One(); } pass { PixelShader = compile ps_2_0 One(); } }"),
+  EXPECT_EQ(Messages(std::string(kShaders) + "texture PASS2_L8;\ntechnique T { pass { PixelShader = compile ps_2_0 "
+                                             "One(); } pass { PixelShader = compile ps_2_0 One(); } }"),
             "3:9: error: texture 'PASS2_L8': no technique has a pass 2; the last is 1 [B1004]\n");
   EXPECT_EQ(Messages("texture PASS0_L8;"), "1:9: error: texture 'PASS0_L8': no technique has a pass 0 [B1004]\n");
   // Another technique has the pass, the one that reads does not.
-  EXPECT_EQ(Messages(std::string(kShaders) + Reading("PASS1_L8") +
-                     "technique A { pass { PixelShader = compile ps_2_0 One(); } pass { PixelShader = compile ps_2_0 One(); } }\n"
-                     "technique B { pass P { PixelShader = compile ps_2_0 PS_PASS1_L8(); } }"),
-            "7:20: error: pass 'P' of technique 'B' reads texture 'PASS1_L8', but the technique has no pass 1 [B1004]\n"
-            "  4:9: note: through sampler 's_PASS1_L8'\n");
+  EXPECT_EQ(
+      Messages(
+          std::string(kShaders) + Reading("PASS1_L8") +
+          "technique A { pass { PixelShader = compile ps_2_0 One(); } pass { PixelShader = compile ps_2_0 One(); } }\n"
+          "technique B { pass P { PixelShader = compile ps_2_0 PS_PASS1_L8(); } }"),
+      "7:20: error: pass 'P' of technique 'B' reads texture 'PASS1_L8', but the technique has no pass 1 [B1004]\n"
+      "  4:9: note: through sampler 's_PASS1_L8'\n");
 }
 
 TEST(DataFlow, ReadingTheWrittenTextureIsAnError) {
-  EXPECT_EQ(Messages(std::string(kShaders) + Reading("PASS0_L8") + "technique T { pass P { PixelShader = compile ps_2_0 PS_PASS0_L8(); } }"),
+  EXPECT_EQ(Messages(std::string(kShaders) + Reading("PASS0_L8") +
+                     "technique T { pass P { PixelShader = compile ps_2_0 PS_PASS0_L8(); } }"),
             "6:20: error: pass 'P' of technique 'T' reads texture 'PASS0_L8', which it writes [B1005]\n"
             "  4:9: note: through sampler 's_PASS0_L8'\n");
   EXPECT_EQ(Messages(std::string(kShaders) + Reading("GBAheat_L8") +
-                     "technique GBAheat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS_GBAheat_L8(); } }"),
+                     "technique GBAheat { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 "
+                     "PS_GBAheat_L8(); } }"),
             "6:26: error: pass 'P' of technique 'GBAheat' reads texture 'GBAheat_L8', which it writes [B1005]\n"
             "  4:9: note: through sampler 's_GBAheat_L8'\n");
 }
 
 TEST(DataFlow, ReadingALaterResultIsAWarning) {
   EXPECT_EQ(Messages(std::string(kShaders) + Reading("PASS1_L8") +
-                     "technique T { pass P { PixelShader = compile ps_2_0 PS_PASS1_L8(); } pass Q { PixelShader = compile ps_2_0 One(); } }"),
+                     "technique T { pass P { PixelShader = compile ps_2_0 PS_PASS1_L8(); } pass Q { PixelShader = "
+                     "compile ps_2_0 One(); } }"),
             "6:20: warning: pass 'P' of technique 'T' reads texture 'PASS1_L8' before pass 1 has drawn it [B1010]\n"
             "  4:9: note: through sampler 's_PASS1_L8'\n");
 }
 
 TEST(DataFlow, TargetsOfOnePassFitTogether) {
-  const std::string technique = "float4 Two(out float4 b : COLOR1) : COLOR0 { b = 1; return 0; }\ntechnique T { pass P { PixelShader = compile ps_2_0 Two(); } pass Q { PixelShader = compile ps_2_0 Two(); } }";
+  const std::string technique =
+      "float4 Two(out float4 b : COLOR1) : COLOR0 { b = 1; return 0; }\ntechnique T { pass P { PixelShader = compile "
+      "ps_2_0 Two(); } pass Q { PixelShader = compile ps_2_0 Two(); } }";
   EXPECT_EQ(Messages("texture PASS0_L8;\ntexture PASS0_R16F;\n" + technique),
-            "2:9: error: texture 'PASS0_R16F' takes the same result as 'PASS0_L8': target 0 of pass 0 [B1007]\n  1:9: note: 'PASS0_L8' was declared here\n");
+            "2:9: error: texture 'PASS0_R16F' takes the same result as 'PASS0_L8': target 0 of pass 0 [B1007]\n  1:9: "
+            "note: 'PASS0_L8' was declared here\n");
   EXPECT_EQ(Messages("texture PASS0_L8;\ntexture PASS0_L8_S2_RT1;\n" + technique),
-            "2:9: error: texture 'PASS0_L8_S2_RT1' and 'PASS0_L8' are targets of one pass, so they must have one scale [B1006]\n  1:9: note: 'PASS0_L8' was declared here\n");
+            "2:9: error: texture 'PASS0_L8_S2_RT1' and 'PASS0_L8' are targets of one pass, so they must have one scale "
+            "[B1006]\n  1:9: note: 'PASS0_L8' was declared here\n");
   EXPECT_EQ(Messages("texture PASS0_L8_RT1;\n" + technique),
             "1:9: error: texture 'PASS0_L8_RT1' is target 1 of pass 0, which has no target 0 [B1008]\n");
   const CompileResult good = Compile("texture PASS0_R16F_RT1;\ntexture PASS0_L8;\n" + technique);
@@ -167,9 +181,12 @@ TEST(Techniques, WhatThisHostLacksIsAReasonNotAnError) {
 
 TEST(Techniques, ShadersComeFromVariablesAndArrays) {
   const CompileResult result = Compile(
-      "float4 A(float4 p : POSITION) : POSITION { return p; }\nfloat4 B(float4 p : POSITION) : POSITION { return p * 2; }\nfloat4 One() : COLOR { return 1; }\n"
-      "int which = 1;\nVertexShader both[2] = { compile vs_2_0 A(), compile vs_2_0 B() };\nPixelShader one = compile ps_2_0 One();\n"
-      "technique T { pass P { VertexShader = (both[which]); PixelShader = (one); } pass Q { VertexShader = (both[0]); PixelShader = <one>; } "
+      "float4 A(float4 p : POSITION) : POSITION { return p; }\nfloat4 B(float4 p : POSITION) : POSITION { return p * "
+      "2; }\nfloat4 One() : COLOR { return 1; }\n"
+      "int which = 1;\nVertexShader both[2] = { compile vs_2_0 A(), compile vs_2_0 B() };\nPixelShader one = compile "
+      "ps_2_0 One();\n"
+      "technique T { pass P { VertexShader = (both[which]); PixelShader = (one); } pass Q { VertexShader = (both[0]); "
+      "PixelShader = <one>; } "
       "pass R { VertexShader = both[1]; PixelShader = NULL; } }");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& passes = result.effect->techniques[0].passes;
@@ -178,33 +195,52 @@ TEST(Techniques, ShadersComeFromVariablesAndArrays) {
   EXPECT_EQ(passes[1].program.fragment_entry, "One");
   EXPECT_EQ(passes[2].program.fragment_entry, "");
   EXPECT_EQ(passes[2].program.targets, 0);
-  EXPECT_EQ(Messages(result), "7:45: warning: a shader is chosen by the parameter's initial value, not by what it is set to later [B1011]\n");
+  EXPECT_EQ(
+      Messages(result),
+      "7:45: warning: a shader is chosen by the parameter's initial value, not by what it is set to later [B1011]\n");
 }
 
 TEST(Techniques, EntryPointsAreChecked) {
-  const std::string prefix = "float4 VSMain(float4 p : POSITION, uniform float k) : POSITION { return p * k; }\nfloat4 One() : COLOR { return 1; }\ntechnique T { pass P {\n";
-  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMian(1); } }"), "4:31: error: 'VSMian': entrypoint not found; did you mean 'VSMain'? [X3501]\n");
-  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMain(); } }"), "4:16: error: 'VSMain': entry point takes 1 uniform arguments, found 0 [X3013]\n");
-  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMain(1, 2); } }"), "4:16: error: 'VSMain': entry point takes 1 uniform arguments, found 2 [X3013]\n");
-  EXPECT_EQ(Messages(prefix + "VertexShader = compile ps_2_0 VSMain(1); } }"), "4:24: error: 'ps_2_0' is no profile of a vertex shader [B1017]\n");
-  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 One(); } }"), "4:16: error: 'One': vertex shader must write POSITION [X4541]\n");
+  const std::string prefix =
+      "float4 VSMain(float4 p : POSITION, uniform float k) : POSITION { return p * k; }\nfloat4 One() : COLOR { return "
+      "1; }\ntechnique T { pass P {\n";
+  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMian(1); } }"),
+            "4:31: error: 'VSMian': entrypoint not found; did you mean 'VSMain'? [X3501]\n");
+  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMain(); } }"),
+            "4:16: error: 'VSMain': entry point takes 1 uniform arguments, found 0 [X3013]\n");
+  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 VSMain(1, 2); } }"),
+            "4:16: error: 'VSMain': entry point takes 1 uniform arguments, found 2 [X3013]\n");
+  EXPECT_EQ(Messages(prefix + "VertexShader = compile ps_2_0 VSMain(1); } }"),
+            "4:24: error: 'ps_2_0' is no profile of a vertex shader [B1017]\n");
+  EXPECT_EQ(Messages(prefix + "VertexShader = compile vs_2_0 One(); } }"),
+            "4:16: error: 'One': vertex shader must write POSITION [X4541]\n");
 }
 
 TEST(Techniques, SignaturesNeedSemantics) {
-  const auto vertex = [](const std::string& function) { return Messages(function + "\ntechnique T { pass P { VertexShader = compile vs_2_0 F(); } }"); };
-  const auto pixel = [](const std::string& function) { return Messages(function + "\ntechnique T { pass P { PixelShader = compile ps_2_0 F(); } }"); };
-  EXPECT_EQ(vertex("float4 F(float4 p) : POSITION { return p; }"), "1:17: error: 'F': input parameter 'p' missing semantics [X3502]\n");
+  const auto vertex = [](const std::string& function) {
+    return Messages(function + "\ntechnique T { pass P { VertexShader = compile vs_2_0 F(); } }");
+  };
+  const auto pixel = [](const std::string& function) {
+    return Messages(function + "\ntechnique T { pass P { PixelShader = compile ps_2_0 F(); } }");
+  };
+  EXPECT_EQ(vertex("float4 F(float4 p) : POSITION { return p; }"),
+            "1:17: error: 'F': input parameter 'p' missing semantics [X3502]\n");
   EXPECT_EQ(pixel("float4 F() { return 1; }"), "1:8: error: 'F': function return value missing semantics [X3503]\n");
-  EXPECT_EQ(pixel("struct O { float4 c : COLOR; float4 d; };\nO F() { return (O)0; }"), "1:37: error: 'F': output parameter '.d' missing semantics [X3503]\n");
-  EXPECT_EQ(vertex("float4 F() : COLOR { return 1; }"), "2:39: error: 'F': vertex shader must write POSITION [X4541]\n");
-  EXPECT_EQ(pixel("float4 F() : TEXCOORD0 { return 1; }"), "1:8: error: 'F': invalid pixel shader output semantic 'TEXCOORD0' [X4502]\n");
-  EXPECT_EQ(vertex("float4 F(float4 p : POSITION) : POSITION { clip(p); return p; }"), "1:44: error: 'clip' cannot be used in a vertex shader [X4532]\n");
+  EXPECT_EQ(pixel("struct O { float4 c : COLOR; float4 d; };\nO F() { return (O)0; }"),
+            "1:37: error: 'F': output parameter '.d' missing semantics [X3503]\n");
+  EXPECT_EQ(vertex("float4 F() : COLOR { return 1; }"),
+            "2:39: error: 'F': vertex shader must write POSITION [X4541]\n");
+  EXPECT_EQ(pixel("float4 F() : TEXCOORD0 { return 1; }"),
+            "1:8: error: 'F': invalid pixel shader output semantic 'TEXCOORD0' [X4502]\n");
+  EXPECT_EQ(vertex("float4 F(float4 p : POSITION) : POSITION { clip(p); return p; }"),
+            "1:44: error: 'clip' cannot be used in a vertex shader [X4532]\n");
 }
 
 TEST(Techniques, OneSamplerIsLookedUpInOneDimension) {
   EXPECT_EQ(Messages("sampler s;\nfloat4 PS(float3 t : TEXCOORD0) : COLOR { return tex2D(s, t.xy) + texCUBE(s, t); }\n"
                      "technique T { pass P { PixelShader = compile ps_2_0 PS(); } }"),
-            "2:75: error: sampler 's' is looked up as a samplerCube here and as a sampler2D elsewhere in the same shader [B1012]\n");
+            "2:75: error: sampler 's' is looked up as a samplerCube here and as a sampler2D elsewhere in the same "
+            "shader [B1012]\n");
 }
 
 }  // namespace

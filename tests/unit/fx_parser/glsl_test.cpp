@@ -47,7 +47,8 @@ TEST_P(Corpus, GivesValidGlsl) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Corpus,
-                         testing::Values("figure2.fx", "language.fx", "intrinsics.fx", "stages.fx", "specialise.fx", "names.fx", "branches.fx"),
+                         testing::Values("figure2.fx", "language.fx", "intrinsics.fx", "stages.fx", "specialise.fx",
+                                         "names.fx", "branches.fx"),
                          [](const auto& file) {
                            const std::string name = file.param;
                            return name.substr(0, name.find('.'));
@@ -95,12 +96,16 @@ TEST(Glsl, NamesNeverCollide) {
 
 TEST(Glsl, LiteralsOfEntryArgumentsReachTheCall) {
   const CompileResult result = Compile(
-      "texture a; texture b;\nsampler sa = sampler_state { Texture = <a>; }; sampler sb = sampler_state { Texture = <b>; };\n"
-      "float k;\nfloat4 PS(float2 t : TEXCOORD0, uniform sampler2D s, uniform float n, uniform bool on) : COLOR { return on ? tex2D(s, t) * n : 0; }\n"
-      "technique T { pass A { PixelShader = compile ps_2_0 PS(sa, 2, true); } pass B { PixelShader = compile ps_2_0 PS(sb, k * 2, false); } }");
+      "texture a; texture b;\nsampler sa = sampler_state { Texture = <a>; }; sampler sb = sampler_state { Texture = "
+      "<b>; };\n"
+      "float k;\nfloat4 PS(float2 t : TEXCOORD0, uniform sampler2D s, uniform float n, uniform bool on) : COLOR { "
+      "return on ? tex2D(s, t) * n : 0; }\n"
+      "technique T { pass A { PixelShader = compile ps_2_0 PS(sa, 2, true); } pass B { PixelShader = compile ps_2_0 "
+      "PS(sb, k * 2, false); } }");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& passes = result.effect->techniques[0].passes;
-  EXPECT_NE(passes[0].program.fragment_glsl.find("f_PS(a_t, 2.0, true)"), std::string::npos) << passes[0].program.fragment_glsl;
+  EXPECT_NE(passes[0].program.fragment_glsl.find("f_PS(a_t, 2.0, true)"), std::string::npos)
+      << passes[0].program.fragment_glsl;
   EXPECT_NE(passes[0].program.fragment_glsl.find("texture(burin_s_sa, l_t)"), std::string::npos);
   EXPECT_EQ(passes[0].program.samplers, std::vector<std::size_t>{0});
   EXPECT_TRUE(passes[0].program.parameters.empty());
@@ -119,7 +124,9 @@ TEST(Glsl, MatricesAreRowsInGlslsColumns) {
 }
 
 TEST(Glsl, OnlyReachableThingsAreWritten) {
-  const std::string text = Fragment("return Used(t);", "float unusedParameter; float4 Unused() { return unusedParameter; } float4 Used(float4 v) { return v; }");
+  const std::string text = Fragment(
+      "return Used(t);",
+      "float unusedParameter; float4 Unused() { return unusedParameter; } float4 Used(float4 v) { return v; }");
   EXPECT_EQ(text.find("nused"), std::string::npos) << text;
 }
 
@@ -134,7 +141,8 @@ TEST(Glsl, ArithmeticThatGlslLeavesUndefinedGoesThroughHelpers) {
   EXPECT_NE(Fragment("return sqrt(t);").find("burin_sqrt("), std::string::npos);
   EXPECT_NE(Fragment("return normalize(t);").find("burin_normalize("), std::string::npos);
   EXPECT_NE(Fragment("int i = t.x; return i % 3;").find("burin_imod("), std::string::npos);
-  EXPECT_NE(Fragment("float a[3] = { 1, 2, 3 }; return a[(int)t.x];").find("clamp(int(l_t.x), 0, 2)"), std::string::npos);
+  EXPECT_NE(Fragment("float a[3] = { 1, 2, 3 }; return a[(int)t.x];").find("clamp(int(l_t.x), 0, 2)"),
+            std::string::npos);
 }
 
 TEST(Glsl, LogicEvaluatesBothSides) {
@@ -146,8 +154,11 @@ TEST(Glsl, LogicEvaluatesBothSides) {
 
 TEST(Glsl, VertexColoursAreClampedBeforeShaderModel3) {
   const auto vertex = [](const std::string& profile) {
-    const CompileResult result = Compile("float4 VS(float4 p : POSITION, out float4 c : COLOR0) : POSITION { c = p * 3; return p; }\nfloat4 PS(float4 c : COLOR0) : COLOR { return c; }\n"
-                                         "technique T { pass P { VertexShader = compile " + profile + " VS(); PixelShader = compile ps_2_0 PS(); } }");
+    const CompileResult result = Compile(
+        "float4 VS(float4 p : POSITION, out float4 c : COLOR0) : POSITION { c = p * 3; return p; }\nfloat4 PS(float4 c "
+        ": COLOR0) : COLOR { return c; }\n"
+        "technique T { pass P { VertexShader = compile " +
+        profile + " VS(); PixelShader = compile ps_2_0 PS(); } }");
     return result.effect ? result.effect->techniques[0].passes[0].program.vertex_glsl : Messages(result);
   };
   EXPECT_NE(vertex("vs_2_0").find("burin_v_COLOR0 = burin_saturate(a_c);"), std::string::npos) << vertex("vs_2_0");
@@ -156,7 +167,8 @@ TEST(Glsl, VertexColoursAreClampedBeforeShaderModel3) {
 
 TEST(Glsl, StagesLinkThroughWhatThePixelShaderReads) {
   const CompileResult result = Compile(
-      "struct O { float4 p : POSITION; float2 a : TEXCOORD0; float3 b : TEXCOORD5; };\nO VS(float4 p : POSITION) { O o; o.p = p; o.a = 1; o.b = 2; return o; }\n"
+      "struct O { float4 p : POSITION; float2 a : TEXCOORD0; float3 b : TEXCOORD5; };\nO VS(float4 p : POSITION) { O "
+      "o; o.p = p; o.a = 1; o.b = 2; return o; }\n"
       "float4 PS(float3 b : TEXCOORD5, float4 c : TEXCOORD7) : COLOR { return c + b.x; }\n"
       "technique T { pass P { VertexShader = compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }");
   ExpectValid(result, "link");
@@ -167,7 +179,9 @@ TEST(Glsl, StagesLinkThroughWhatThePixelShaderReads) {
 }
 
 TEST(Glsl, MissingStagesAreFilledIn) {
-  const CompileResult result = Compile("float4 PS(float2 t : TEXCOORD3, float4 c : COLOR0) : COLOR { return c + t.x; }\ntechnique T { pass P { PixelShader = compile ps_2_0 PS(); } pass Q { } }");
+  const CompileResult result = Compile(
+      "float4 PS(float2 t : TEXCOORD3, float4 c : COLOR0) : COLOR { return c + t.x; }\ntechnique T { pass P { "
+      "PixelShader = compile ps_2_0 PS(); } pass Q { } }");
   ExpectValid(result, "missing stages");
   const auto& passes = result.effect->techniques[0].passes;
   EXPECT_EQ(passes[0].program.vertex_inputs, (std::vector<std::string>{"POSITION0", "TEXCOORD3"}));
@@ -178,7 +192,9 @@ TEST(Glsl, MissingStagesAreFilledIn) {
 
 TEST(Glsl, AlphaTestIsWrittenWhenTheStatesSwitchItOn) {
   const auto program = [](const std::string& states) {
-    const CompileResult result = Compile("bool on;\nfloat4 PS() : COLOR { return 1; }\ntechnique T { pass P { PixelShader = compile ps_2_0 PS(); " + states + " } }");
+    const CompileResult result = Compile(
+        "bool on;\nfloat4 PS() : COLOR { return 1; }\ntechnique T { pass P { PixelShader = compile ps_2_0 PS(); " +
+        states + " } }");
     EXPECT_TRUE(result.effect) << Messages(result);
     return result.effect->techniques[0].passes[0].program;
   };
@@ -193,27 +209,37 @@ TEST(Glsl, BranchesWithLookUpsRunOnBothSides) {
   const std::string flat = Fragment("float4 r = 0; if (t.x > 0) r = tex2D(s, t.xy); return r;", "sampler s;");
   EXPECT_EQ(flat.find("if (l_t.x > 0.0"), std::string::npos) << flat;
   EXPECT_NE(flat.find("l_r = texture(burin_s_s, l_t.xy);"), std::string::npos) << flat;
-  EXPECT_NE(Fragment("float4 r = 0; if (k > 0) r = tex2D(s, t.xy); return r;", "sampler s; float k;").find("if (burin_p_k > 0.0) {"), std::string::npos);
+  EXPECT_NE(Fragment("float4 r = 0; if (k > 0) r = tex2D(s, t.xy); return r;", "sampler s; float k;")
+                .find("if (burin_p_k > 0.0) {"),
+            std::string::npos);
   EXPECT_NE(Fragment("if (t.x > 0) return tex2D(s, t.xy); return 1;", "sampler s;").find("if ("), std::string::npos);
 }
 
 TEST(Glsl, TwoRunsGiveOneText) {
-  const std::string body = "float4 a = t, b = t, c = t; if (t.x > 0) { a = tex2D(s, t.xy); b = a * k; c = b + j; } return a + b + c;";
+  const std::string body =
+      "float4 a = t, b = t, c = t; if (t.x > 0) { a = tex2D(s, t.xy); b = a * k; c = b + j; } return a + b + c;";
   EXPECT_EQ(Fragment(body, "sampler s; float k; float j;"), Fragment(body, "sampler s; float k; float j;"));
 }
 
 TEST(Glsl, GrowthIsBounded) {
   // Each function calls the next with two samplers: 2^30 instances if nobody stopped.
-  std::string text = "sampler a; sampler b;\nfloat4 F0(sampler s, sampler r, float2 t) { return tex2D(s, t) + tex2D(r, t); }\n";
+  std::string text =
+      "sampler a; sampler b;\nfloat4 F0(sampler s, sampler r, float2 t) { return tex2D(s, t) + tex2D(r, t); }\n";
   for (int i = 1; i <= 30; ++i) {
     const std::string before = "F" + std::to_string(i - 1);
-    text += "float4 F" + std::to_string(i) + "(sampler s, sampler r, float2 t) { return " + before + "(s, r, t) + " + before + "(r, s, t); }\n";
+    text += "float4 F" + std::to_string(i) + "(sampler s, sampler r, float2 t) { return " + before + "(s, r, t) + " +
+            before + "(r, s, t); }\n";
   }
-  text += "float4 PS(float2 t : TEXCOORD0) : COLOR { return F30(a, b, t); }\ntechnique T { pass P { PixelShader = compile ps_3_0 PS(); } }";
+  text +=
+      "float4 PS(float2 t : TEXCOORD0) : COLOR { return F30(a, b, t); }\ntechnique T { pass P { PixelShader = compile "
+      "ps_3_0 PS(); } }";
   EXPECT_TRUE(Compile(text).effect) << "two instances a function are enough";
   std::string deep = "float4 F0(float4 v) { return v; }\n";
-  for (int i = 1; i <= 2000; ++i) deep += "float4 F" + std::to_string(i) + "(float4 v) { return F" + std::to_string(i - 1) + "(v); }\n";
-  deep += "float4 PS(float4 t : TEXCOORD0) : COLOR { return F2000(t); }\ntechnique T { pass P { PixelShader = compile ps_3_0 PS(); } }";
+  for (int i = 1; i <= 2000; ++i)
+    deep += "float4 F" + std::to_string(i) + "(float4 v) { return F" + std::to_string(i - 1) + "(v); }\n";
+  deep +=
+      "float4 PS(float4 t : TEXCOORD0) : COLOR { return F2000(t); }\ntechnique T { pass P { PixelShader = compile "
+      "ps_3_0 PS(); } }";
   EXPECT_NE(Messages(deep).find("calls nested too deeply [B1013]"), std::string::npos);
 }
 

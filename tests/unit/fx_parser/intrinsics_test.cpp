@@ -22,13 +22,18 @@ Type ResultOf(const char* name, const std::vector<Type>& arguments) {
 TEST(Intrinsics, CoverShaderModels1To3) {
   // learn.microsoft.com, "Intrinsic Functions (DirectX HLSL)", those whose minimum shader model is 1, 2 or 3.
   for (const char* name :
-       {"abs", "acos", "all", "any", "asin", "atan", "atan2", "ceil", "clamp", "clip", "cos", "cosh", "cross", "D3DCOLORtoUBYTE4", "ddx",
-        "ddy", "degrees", "determinant", "distance", "dot", "exp", "exp2", "faceforward", "floor", "fmod", "frac", "frexp", "fwidth",
-        "isfinite", "isinf", "isnan", "ldexp", "length", "lerp", "lit", "log", "log10", "log2", "max", "min", "modf", "mul", "noise",
-        "normalize", "pow", "radians", "reflect", "refract", "round", "rsqrt", "saturate", "sign", "sin", "sincos", "sinh", "smoothstep",
-        "sqrt", "step", "tan", "tanh", "tex1D", "tex1Dbias", "tex1Dgrad", "tex1Dlod", "tex1Dproj", "tex2D", "tex2Dbias", "tex2Dgrad",
-        "tex2Dlod", "tex2Dproj", "tex3D", "tex3Dbias", "tex3Dgrad", "tex3Dlod", "tex3Dproj", "texCUBE", "texCUBEbias", "texCUBEgrad",
-        "texCUBElod", "texCUBEproj", "transpose", "trunc"}) {
+       {"abs",         "acos",        "all",         "any",         "asin",      "atan",      "atan2",
+        "ceil",        "clamp",       "clip",        "cos",         "cosh",      "cross",     "D3DCOLORtoUBYTE4",
+        "ddx",         "ddy",         "degrees",     "determinant", "distance",  "dot",       "exp",
+        "exp2",        "faceforward", "floor",       "fmod",        "frac",      "frexp",     "fwidth",
+        "isfinite",    "isinf",       "isnan",       "ldexp",       "length",    "lerp",      "lit",
+        "log",         "log10",       "log2",        "max",         "min",       "modf",      "mul",
+        "noise",       "normalize",   "pow",         "radians",     "reflect",   "refract",   "round",
+        "rsqrt",       "saturate",    "sign",        "sin",         "sincos",    "sinh",      "smoothstep",
+        "sqrt",        "step",        "tan",         "tanh",        "tex1D",     "tex1Dbias", "tex1Dgrad",
+        "tex1Dlod",    "tex1Dproj",   "tex2D",       "tex2Dbias",   "tex2Dgrad", "tex2Dlod",  "tex2Dproj",
+        "tex3D",       "tex3Dbias",   "tex3Dgrad",   "tex3Dlod",    "tex3Dproj", "texCUBE",   "texCUBEbias",
+        "texCUBEgrad", "texCUBElod",  "texCUBEproj", "transpose",   "trunc"}) {
     EXPECT_TRUE(IsIntrinsic(name)) << name;
   }
   EXPECT_FALSE(IsIntrinsic("Tex2D")) << "names of functions have case";
@@ -69,18 +74,19 @@ TEST(Intrinsics, EveryRowIsUsedByTheCorpus) {
   std::stringstream text;
   text << file.rdbuf();
   for (const Intrinsic& intrinsic : Intrinsics()) {
-    if (intrinsic.name == "sincos" || intrinsic.name == "modf" || intrinsic.name == "frexp" || intrinsic.name == "mul") continue;  // language.fx
+    if (intrinsic.name == "sincos" || intrinsic.name == "modf" || intrinsic.name == "frexp" || intrinsic.name == "mul")
+      continue;  // language.fx
     EXPECT_NE(text.str().find(std::string(intrinsic.name) + "("), std::string::npos) << intrinsic.name;
   }
 }
 
 TEST(Intrinsics, DescribeThemselves) {
   const int tex2d = FindIntrinsic("tex2Dlod", std::vector{[] {
-                                    Type sampler;
-                                    sampler.kind = TypeKind::kSampler;
-                                    return sampler;
-                                  }(),
-                                  F(4)});
+                                                            Type sampler;
+                                                            sampler.kind = TypeKind::kSampler;
+                                                            return sampler;
+                                                          }(),
+                                                          F(4)});
   ASSERT_GE(tex2d, 0);
   EXPECT_EQ(DescribeIntrinsic(Intrinsics()[static_cast<std::size_t>(tex2d)]), "float4 tex2Dlod(sampler2D, float4)");
 }

@@ -12,13 +12,15 @@ const std::vector<std::string> kKnown = {"color", "normal", "intensity", "my_att
 
 ExtensionName Good(const std::string& name) {
   const auto parsed = ParseExtensionName(name, kKnown);
-  EXPECT_TRUE(std::holds_alternative<ExtensionName>(parsed)) << name << ": " << (parsed.index() == 1 ? std::get<NamingError>(parsed).text : "");
+  EXPECT_TRUE(std::holds_alternative<ExtensionName>(parsed))
+      << name << ": " << (parsed.index() == 1 ? std::get<NamingError>(parsed).text : "");
   return parsed.index() == 0 ? std::get<ExtensionName>(parsed) : ExtensionName{};
 }
 
 std::string Bad(const std::string& name) {
   const auto parsed = ParseExtensionName(name, kKnown);
-  return parsed.index() == 1 ? std::get<NamingError>(parsed).text + " [" + std::get<NamingError>(parsed).code + "]" : "accepted";
+  return parsed.index() == 1 ? std::get<NamingError>(parsed).text + " [" + std::get<NamingError>(parsed).code + "]"
+                             : "accepted";
 }
 
 TEST(Naming, EveryFormatIsFoundWithoutCase) {
@@ -52,21 +54,27 @@ TEST(Naming, PassResultsHaveTargets) {
 }
 
 TEST(Naming, FaultsAreNamed) {
-  EXPECT_EQ(Bad("GBAcolour_A8R8G8B8"), "texture 'GBAcolour_A8R8G8B8': unknown attribute 'colour'; did you mean 'color'? [B1001]");
-  EXPECT_EQ(Bad("GBAcolor_A8R8G8B9"), "texture 'GBAcolor_A8R8G8B9': unknown format 'A8R8G8B9'; did you mean 'A8R8G8B8'? [B1002]");
+  EXPECT_EQ(Bad("GBAcolour_A8R8G8B8"),
+            "texture 'GBAcolour_A8R8G8B8': unknown attribute 'colour'; did you mean 'color'? [B1001]");
+  EXPECT_EQ(Bad("GBAcolor_A8R8G8B9"),
+            "texture 'GBAcolor_A8R8G8B9': unknown format 'A8R8G8B9'; did you mean 'A8R8G8B8'? [B1002]");
   EXPECT_EQ(Bad("GBAcolor_"), "texture 'GBAcolor_': unknown format '' [B1002]");
   EXPECT_EQ(Bad("GBAcolor"), "texture 'GBAcolor' names no format: expected GBA<attribute>_<FORMAT> [B1003]");
   EXPECT_EQ(Bad("PASS1"), "texture 'PASS1' names no format: expected PASS<k>_<FORMAT> [B1003]");
-  EXPECT_EQ(Bad("PASS1x_L8"), "texture 'PASS1x_L8': '1x' is no pass number: expected PASS<k>_<FORMAT> with k from 0 to 999 [B1003]");
+  EXPECT_EQ(Bad("PASS1x_L8"),
+            "texture 'PASS1x_L8': '1x' is no pass number: expected PASS<k>_<FORMAT> with k from 0 to 999 [B1003]");
   EXPECT_EQ(Bad("GBAcolor_L8_Sx"), "texture 'GBAcolor_L8_Sx': malformed scale '_Sx': expected _S3 or _S0_5 [B1003]");
   EXPECT_EQ(Bad("GBAcolor_L8_S"), "texture 'GBAcolor_L8_S': malformed scale '_S': expected _S3 or _S0_5 [B1003]");
   EXPECT_EQ(Bad("GBAcolor_L8_S0"), "texture 'GBAcolor_L8_S0': the scale must be above 0 and at most 16 [B1003]");
   EXPECT_EQ(Bad("GBAcolor_L8_S17"), "texture 'GBAcolor_L8_S17': the scale must be above 0 and at most 16 [B1003]");
-  EXPECT_EQ(Bad("GBAcolor_L8_RT1"), "texture 'GBAcolor_L8_RT1': only pass results have render targets, so '_RT1' has no place here [B1003]");
+  EXPECT_EQ(Bad("GBAcolor_L8_RT1"),
+            "texture 'GBAcolor_L8_RT1': only pass results have render targets, so '_RT1' has no place here [B1003]");
   EXPECT_EQ(Bad("PASS0_L8_RT8"), "texture 'PASS0_L8_RT8': render target 8 is too high: the last is 7 [B1003]");
-  EXPECT_EQ(Bad("PASS0_L8_S2_S2"), "texture 'PASS0_L8_S2_S2': unexpected '_S2': expected _S<scale> or _RT<target> once [B1003]");
+  EXPECT_EQ(Bad("PASS0_L8_S2_S2"),
+            "texture 'PASS0_L8_S2_S2': unexpected '_S2': expected _S<scale> or _RT<target> once [B1003]");
   EXPECT_EQ(Bad("PASS99999999999999_L8"),
-            "texture 'PASS99999999999999_L8': '99999999999999' is no pass number: expected PASS<k>_<FORMAT> with k from 0 to 999 [B1003]");
+            "texture 'PASS99999999999999_L8': '99999999999999' is no pass number: expected PASS<k>_<FORMAT> with k "
+            "from 0 to 999 [B1003]");
 }
 
 TEST(Naming, OtherNamesAreLeftAlone) {

@@ -46,8 +46,9 @@ TEST(ImplicitConversion, SplatsScalars) {
 }
 
 TEST(ImplicitConversion, TruncatesVectorsAndMatrices) {
-  for (const auto& [from, to] : {std::pair(kFloat4, kFloat3), std::pair(kFloat4, kFloat), std::pair(kFloat4x4, MatrixType(Scalar::kFloat, 3, 3)),
-                                 std::pair(kFloat4x4, kFloat)}) {
+  for (const auto& [from, to] :
+       {std::pair(kFloat4, kFloat3), std::pair(kFloat4, kFloat), std::pair(kFloat4x4, MatrixType(Scalar::kFloat, 3, 3)),
+        std::pair(kFloat4x4, kFloat)}) {
     const auto conversion = ImplicitConversion(from, to);
     ASSERT_TRUE(conversion) << ToString(from) << " to " << ToString(to);
     EXPECT_TRUE(conversion->truncates) << ToString(from) << " to " << ToString(to);
@@ -116,7 +117,8 @@ TEST(Swizzle, TakesMatricesCountedFromZeroAndFromOne) {
   using C = SwizzleComponent;
   EXPECT_THAT(*ParseSwizzle(kFloat4x4, "_m00_m31"), testing::ElementsAre(C{0, 0}, C{3, 1}));
   EXPECT_THAT(*ParseSwizzle(kFloat4x4, "_11_42"), testing::ElementsAre(C{0, 0}, C{3, 1}));
-  for (const char* wrong : {"_m04", "_01", "_m00_11", "_11_m00", "x", "_m0", "_15"}) EXPECT_FALSE(ParseSwizzle(kFloat4x4, wrong)) << wrong;
+  for (const char* wrong : {"_m04", "_01", "_m00_11", "_11_m00", "x", "_m0", "_15"})
+    EXPECT_FALSE(ParseSwizzle(kFloat4x4, wrong)) << wrong;
   EXPECT_EQ(SwizzleType(kFloat4x4, 1), kFloat);
   EXPECT_EQ(SwizzleType(kFloat4x4, 3), kFloat3);
   EXPECT_TRUE(HasDuplicates(*ParseSwizzle(kFloat4, "xyx")));

@@ -81,7 +81,10 @@ TEST_F(ProgramCacheTest, LeavesNoTemporaries) {
 
 TEST_F(ProgramCacheTest, DropsOldEntriesWhenThereAreMany) {
   const ProgramCache cache(folder_);
-  for (std::size_t i = 0; i <= ProgramCache::kMaxEntries; ++i) cache.Store(std::to_string(i), Binary());
+  fs::create_directories(folder_);
+  for (std::size_t i = 0; i < ProgramCache::kMaxEntries; ++i) Overwrite(cache.PathOf(std::to_string(i)), "old");
+  cache.Store("new", Binary());
+  EXPECT_TRUE(cache.Load("new").has_value());
   const auto count = std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   EXPECT_EQ(static_cast<std::size_t>(count), (ProgramCache::kMaxEntries + 1) - (ProgramCache::kMaxEntries + 1) / 2);
 }
