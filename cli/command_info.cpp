@@ -8,8 +8,6 @@
 #include "core/render/effect_library.h"
 #include "core/render/media_description.h"
 #include "core/render/source.h"
-#include "core/scene/describe.h"
-#include "core/scene/gltf_reader.h"
 
 namespace burin::cli {
 namespace {
@@ -26,12 +24,6 @@ Result<std::string> EffectInfo(const std::string& path, const Settings& settings
                        : render::EffectText(file, settings.job.technique);
 }
 
-Result<std::string> SceneInfo(const std::string& path, const Settings& settings) {
-  const auto scene = scene::ReadGltf(path, {});
-  if (!scene) return std::unexpected(scene.error());
-  return scene::DescribeScene(*scene, settings.json);
-}
-
 Result<std::string> InfoOf(const std::string& argument, const Settings& settings) {
   const auto inputs = render::SortInputs({argument});
   if (!inputs) return std::unexpected(inputs.error());
@@ -39,7 +31,6 @@ Result<std::string> InfoOf(const std::string& argument, const Settings& settings
   if (settings.dot) {
     return Fail(ErrorKind::kUsage, fmt::format("--dot {}: only an effect has a data flow", argument));
   }
-  if (render::ClassifySource(argument) == render::SourceKind::kScene) return SceneInfo(argument, settings);
   return settings.json ? render::MediaJson(argument) : render::MediaText(argument);
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/video/video_module.h"
+#include "core/render/job.h"
 
 namespace burin::cli {
 

@@ -7,6 +7,8 @@
 
 #include "core/render/frame_list.h"
 #include "core/render/source.h"
+#include "core/scene/describe.h"
+#include "core/scene/gltf_reader.h"
 
 namespace burin::render {
 namespace {
@@ -60,9 +62,16 @@ Result<SourceInfo> Look(const std::string& path) {
   return (*source)->info();
 }
 
+Result<std::string> SceneDescription(const std::string& path, bool as_json) {
+  const auto scene = scene::ReadGltf(path, {});
+  if (!scene) return std::unexpected(scene.error());
+  return scene::DescribeScene(*scene, as_json);
+}
+
 }  // namespace
 
 Result<std::string> MediaText(const std::string& path) {
+  if (ClassifySource(path) == SourceKind::kScene) return SceneDescription(path, false);
   const auto info = Look(path);
   if (!info) return std::unexpected(info.error());
   std::string text =
@@ -82,6 +91,7 @@ Result<std::string> MediaText(const std::string& path) {
 }
 
 Result<std::string> MediaJson(const std::string& path) {
+  if (ClassifySource(path) == SourceKind::kScene) return SceneDescription(path, true);
   using Json = nlohmann::ordered_json;
   const auto info = Look(path);
   if (!info) return std::unexpected(info.error());

@@ -24,7 +24,7 @@ ALLOWED = {
     "core/effect": {"core/base", "core/image", "core/gl", "fx_parser"},
     "core/render": {"core/base", "core/image", "core/video", "core/gl", "core/scene", "core/geometry", "core/gbuffer",
                     "core/effect", "fx_parser"},
-    "cli": {"core/render", "core/base"},
+    "cli": {"core/render", "core/base", "fx_parser"},   # fx_parser: diagnostics as JSON, near names
 }
 # Only these rooms may name these libraries, and only in .cpp files.
 THIRD_PARTY_HOMES = {

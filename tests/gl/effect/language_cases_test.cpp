@@ -29,7 +29,7 @@ std::string EffectOf(std::string code) {
   }
   if (code.find("return") == std::string::npos) code = "return " + code + ";";
   return kParameters + declarations + "\nfloat4 PS(float4 t : TEXCOORD0) : COLOR { " + code +
-         " }\ntechnique T { pass P { PixelShader = compile ps_3_0 PS(); } }\n";
+         " }\ntechnique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 PS(); } }\n";
 }
 
 TEST(Language, CasesHaveTheirValues) {
