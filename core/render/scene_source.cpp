@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gbuffer/key_light.h"
 #include "core/render/source.h"
 #include "core/scene/gltf_reader.h"
 
@@ -14,8 +15,6 @@ namespace {
 /// How many moments of the animation the automatic camera looks at. Independent of the frames that are asked for, so
 /// that one frame alone has the same bits as in a full run.
 constexpr int kBoundsSamples = 16;
-/// Key light for effects when the scene has none: from the upper left, towards the scene.
-const glm::vec3 kDefaultLight = glm::normalize(glm::vec3(0.4f, -0.8f, -0.45f));
 
 void Extend(scene::Bounds& bounds, const scene::Bounds& other) {
   if (other.empty()) return;
@@ -98,15 +97,10 @@ class SceneSource final : public Source {
     context.previous_view_from_world = frame.previous_view.view_from_world;
     context.previous_clip_from_view = frame.previous_view.clip_from_view;
     context.eye_world = glm::vec3(glm::inverse(frame.view.view_from_world)[3]);
-    context.light_direction_world = kDefaultLight;
-    for (std::size_t node = 0; node < scene_.nodes.size(); ++node) {
-      const int light = scene_.nodes[node].light;
-      if (light == scene::kNone || scene_.lights[light].type != scene::LightType::kDirectional) continue;
-      const glm::vec3 direction(frame.pose.world_from_node[node] * glm::vec4(0, 0, -1, 0));  // KHR_lights_punctual
-      if (glm::length(direction) > 0.0f) context.light_direction_world = glm::normalize(direction);
-      context.light_color = glm::vec4(scene_.lights[light].color * scene_.lights[light].intensity, 1.0f);
-      break;
-    }
+    const gbuffer::KeyLight light = gbuffer::FindKeyLight(scene_, frame.pose);
+    context.light_direction_world = light.direction;
+    context.light_color = glm::vec4(light.color, 1.0f);
+    if (light.type != scene::LightType::kDirectional) context.light_position_world = light.position;
   }
 
   scene::Scene scene_;
