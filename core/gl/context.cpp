@@ -22,15 +22,6 @@ namespace {
 
 std::optional<std::thread::id> context_thread;
 
-// llvmpipe reads its thread count once, when the driver starts. A count that the user set in the environment stands
-// unless the options name one.
-void SetSoftwareThreads(int threads) {
-  const int count = threads > 0 ? threads : base::AvailableThreads();
-  setenv("LP_NUM_THREADS", std::to_string(count).c_str(), threads > 0 ? 1 : 0);
-  // Mesa's loader prints its own warnings about missing render nodes; ours says what was tried.
-  setenv("EGL_LOG_LEVEL", "fatal", 0);
-}
-
 std::string GlText(GLenum name) {
   const auto* text = reinterpret_cast<const char*>(glGetString(name));
   return text == nullptr ? std::string() : std::string(text);
@@ -88,7 +79,6 @@ std::string NothingToTry(const DeviceChoice& choice, const EglDevices& found, st
 Result<Opened> OpenFirst(const ContextOptions& options) {
   const Result<DeviceChoice> choice = ParseDeviceChoice(options.device);
   if (!choice) return std::unexpected(choice.error());
-  SetSoftwareThreads(options.threads);
   const EglDevices found = EnumerateEglDevices();
   const std::vector<Candidate> candidates = Candidates(*choice, found);
   if (candidates.empty()) return Fail(ErrorKind::kDevice, NothingToTry(*choice, found, options.device));
@@ -115,6 +105,14 @@ struct Context::State {
   EglContext egl;
   DeviceInfo info;
 };
+
+void SetDriverEnvironment(int threads) {
+  // llvmpipe reads its thread count once, when the driver starts.
+  const int count = threads > 0 ? threads : base::AvailableThreads();
+  setenv("LP_NUM_THREADS", std::to_string(count).c_str(), threads > 0 ? 1 : 0);
+  // Mesa's loader prints its own warnings about missing render nodes; ours says what was tried.
+  setenv("EGL_LOG_LEVEL", "fatal", 0);
+}
 
 Context::Context() : state_(std::make_unique<State>()) {}
 

@@ -19,9 +19,14 @@ struct DeviceInfo {
   int max_samples = 0;
 };
 
+/// Tells software drivers, through the environment, how many threads to take (0: as many as the affinity mask has) and
+/// to keep their warnings to themselves. Once, before the process starts any thread: the environment may not change
+/// while another thread, or the constructor of a library that it loads, reads it. What the user set stands, but for
+/// `threads`.
+void SetDriverEnvironment(int threads);
+
 struct ContextOptions {
   std::string device = "auto";  ///< auto|software|N|cuda:N|NAME, as --device
-  int threads = 0;              ///< for software rendering; 0: the affinity mask's count
   bool debug = false;           ///< a debug context: every KHR_debug error or undefined behaviour aborts (tests)
 };
 

@@ -96,6 +96,24 @@ gl::Texture* EffectChain::CopyTarget(const gl::Format& format, int width, int he
   return nullptr;
 }
 
+gl::Texture* EffectChain::LumaTarget(int width, int height, image::Encoding encoding) {
+  const gbuffer::Request* only = nullptr;
+  for (const Link& link : links_) {
+    for (const gbuffer::Request& request : link.from_source) {
+      if (only != nullptr) return nullptr;
+      only = &request;
+    }
+  }
+  if (only == nullptr || only->attribute != gbuffer::Attribute::kIntensity || only->encoding != encoding)
+    return nullptr;
+  const gl::Texture& target = *only->target;
+  const gl::Format& format = target.format();
+  const bool is_l8 =
+      format.numeric == gl::Numeric::kUnorm && format.bits == 8 && format.components == 1 && gl::IsLuminance(format);
+  if (!is_l8 || target.width() != width || target.height() != height) return nullptr;
+  return const_cast<gl::Texture*>(only->target);  // as in CopyTarget()
+}
+
 Result<Picture> EffectChain::Run(const effect::FrameContext& context, const Picture& source, const SceneFrame* scene) {
   Picture picture = source;
   const effect::SceneDraws draws = scene != nullptr ? scene_->Draws(*scene) : effect::SceneDraws();

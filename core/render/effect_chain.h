@@ -47,6 +47,11 @@ class EffectChain {
   [[nodiscard]] gl::Texture* CopyTarget(const gl::Format& format, int width, int height, image::Encoding encoding,
                                         bool is_opaque);
 
+  /// The one target that the chain takes from the source, when it is an 8-bit intensity of the picture's size: the luma
+  /// is then cheaper to compute before the upload, of which it leaves a quarter. Null: there is more, or other, to
+  /// fill.
+  [[nodiscard]] gl::Texture* LumaTarget(int width, int height, image::Encoding encoding);
+
   /// The last effect's frame; valid until the next Run(). `source` is the source's picture; `scene` its frame or null.
   [[nodiscard]] Result<Picture> Run(const effect::FrameContext& context, const Picture& source,
                                     const SceneFrame* scene);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/image/convert.h"
+#include "core/image/luma.h"
 
 namespace burin::render {
 namespace {
@@ -146,6 +147,14 @@ Result<Picture> FrameRenderer::Upload(const SourceFrame& frame) {
             chain_->CopyTarget(format, picture.width, picture.height, picture.encoding, is_opaque_)) {
       target->Upload(picture);
       return Picture{target, picture.encoding};
+    }
+    const bool is_rgba8 = picture.channels == 4 && picture.type == SampleType::kU8;
+    if (is_rgba8 && is_opaque_ && layers_.empty()) {
+      if (gl::Texture* const target = chain_->LumaTarget(picture.width, picture.height, picture.encoding)) {
+        image::LumaOfRgba8(picture, luma_);
+        target->Upload(luma_);
+        return Picture{target, picture.encoding};
+      }
     }
   }
   if (auto good = EnsureTexture(upload_, gl::FormatFor(picture), picture.width, picture.height, "source picture");

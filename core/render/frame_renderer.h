@@ -73,6 +73,7 @@ class FrameRenderer {
   std::unique_ptr<EffectChain> chain_;
   std::vector<Layer> layers_;
   bool is_opaque_ = false;
+  image::Image luma_;    ///< of the picture, where that is all the effects look at
   gl::Texture upload_;   ///< the source's picture
   gl::Texture frame_;    ///< the frame when there is no effect
   gl::Texture encoded_;  ///< the frame in the output's encoding

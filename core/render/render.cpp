@@ -169,7 +169,7 @@ Result<void> RunJob(const Job& job, Progress& progress, const std::atomic<bool>&
   input.parameters = *std::move(parameters);
 
   auto preparing = std::async(std::launch::async, Prepare, std::cref(job), *std::move(output));
-  auto context = gl::Context::Create({.device = job.device, .threads = job.threads, .debug = false});
+  auto context = gl::Context::Create({.device = job.device, .debug = false});
   auto prepared = preparing.get();
   if (!prepared) return std::unexpected(prepared.error());
   if (!context) return std::unexpected(context.error());
@@ -190,6 +190,7 @@ void KeepLargeBlocks() {
 
 Result<void> Run(const Job& job, Progress& progress, const std::atomic<bool>& stop) {
   KeepLargeBlocks();
+  gl::SetDriverEnvironment(job.threads);
   long frames_done = 0;
   Result<void> result = RunJob(job, progress, stop, frames_done);
   progress.Finished(result, frames_done);

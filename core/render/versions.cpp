@@ -21,7 +21,8 @@ std::vector<std::string> LibraryVersions() {
 }
 
 Result<std::string> DescribeDevice(const std::string& device) {
-  auto context = gl::Context::Create({.device = device, .threads = 0, .debug = false});
+  gl::SetDriverEnvironment(0);
+  auto context = gl::Context::Create({.device = device, .debug = false});
   if (!context) return std::unexpected(context.error());
   const gl::DeviceInfo& info = (*context)->info();
   std::string text = fmt::format(

@@ -18,7 +18,7 @@ namespace {
 class ContextEnvironment final : public ::testing::Environment {
  public:
   void SetUp() override {
-    auto context = gl::Context::Create({.device = "software", .threads = 0, .debug = true});
+    auto context = gl::Context::Create({.device = "software", .debug = true});
     ASSERT_TRUE(context.has_value()) << context.error().message;
     // Kept to the end of the process: a driver that is unloaded earlier has its leaks reported without its name, which
     // is what lsan.supp goes by.
