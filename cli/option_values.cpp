@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -121,7 +122,8 @@ Result<long> ParseInteger(std::string_view option, std::string_view text, long l
 Result<std::pair<std::string, std::string>> ParseAssignment(std::string_view option, std::string_view text,
                                                             const char* otherwise) {
   const std::size_t equals = text.find('=');
-  if (text.empty() || equals == 0 || (equals == std::string_view::npos && otherwise == nullptr)) {
+  const bool has_name = !text.empty() && (text[0] == '_' || std::isalpha(static_cast<unsigned char>(text[0])) != 0);
+  if (!has_name || (equals == std::string_view::npos && otherwise == nullptr)) {
     return Refused(option, text, otherwise != nullptr ? "NAME or NAME=VALUE" : "NAME=VALUE");
   }
   if (equals == std::string_view::npos) return std::pair(std::string(text), std::string(otherwise));

@@ -21,6 +21,23 @@ class Y4m(BurinTest):
         for got, expected in zip(frames, self.frames):
             self.assertLessEqual(max(abs(a - b) for a, b in zip(got, expected)), 1)
 
+    def test_an_intensity_alone_is_the_luma_of_the_picture(self):
+        # Alone, an 8-bit intensity is computed before the upload; from the colour, the effect computes it on the device.
+        effect = ("texture {0}; sampler s = sampler_state {{ Texture = <{0}>; AddressU = CLAMP; AddressV = CLAMP; }};\n"
+                  "float4 P(float2 uv : TEXCOORD0) : COLOR {{ return float4({1}, 1); }}\n"
+                  "technique T {{ pass P0 {{ PixelShader = compile ps_2_0 P(); }} }}\n")
+        self.write("alone.fx", effect.format("GBAintensity_L8", "tex2D(s, uv).rgb"))
+        self.write("dot.fx", effect.format(
+            "GBAcolor_X8R8G8B8", "dot(tex2D(s, uv).rgb, float3(0.2126, 0.7152, 0.0722)).xxx"))
+        planes = [bytes(40 + (x * step + y * 7) % 160 for y in range(10) for x in range(16)) for step in (3, 5, 11)]
+        stream = write_y4m([b"".join(planes)], 16, 10)
+        for name in ("alone", "dot"):
+            self.burin("render", f"{name}.fx", "-", "-o", f"{name}.png", "--frames", "1", stdin=stream)
+        alone, dot = (read_png(self.folder / f"{name}.png")[0] for name in ("alone", "dot"))
+        differences = [abs(a - b) for left, right in zip(alone, dot) for a, b in zip(left, right)]
+        self.assertLessEqual(max(differences), 1)
+        self.assertGreater(len({value for row in alone for value in row}), 20)
+
     def test_chroma_is_the_sources_unless_asked_for(self):
         stream = write_y4m([bytes([90]) * 160 + bytes([128]) * 80] * 2, 16, 10, chroma="420jpeg")
         fields, frames = read_y4m(self.burin("render", "copy.fx", "-", "-o", "-", stdin=stream).stdout)

@@ -40,6 +40,10 @@ class Usage(BurinTest):
         self.refused("render", "a.png", "-o", "b.png", "--progress-fd", "77", message="--progress-fd 77: Bad file descriptor")
         self.refused("render", "a.png", "-o", message="--output needs a value: --output FILE")
 
+    def test_a_macro_or_parameter_needs_a_name(self):
+        for option in ("--define", "--param"):
+            self.refused("render", "a.png", "-o", "b.png", option, "9x=1", message=f"{option} 9x=1")
+
     def test_nothing_to_do_is_refused(self):
         self.refused("render", message="no output; expected -o FILE")
         self.refused("render", "-o", "a.png", message="nothing to render: no source and no effect")
