@@ -142,7 +142,9 @@ constexpr OptionSpec kTable[] = {
        return Result<void>();
      }},
     {"orbit", 0, "DEGREES", kRender, kScene,
-     "Turn the camera about the vertical axis through the scene's centre, the same for all frames.", "", Repeat::kLast,
+     "Turn the camera about the vertical axis through the scene's centre, the same for all frames. With it the "
+     "automatic camera stands where every angle shows the whole scene.",
+     "", Repeat::kLast,
      [](Settings& s, const std::string& v) { return Store(s.job.orbit_deg, ParseNumber("orbit", v)); }},
     {"turntable", 0, "N", kRender, kScene,
      "Turn the camera evenly, once in N frames; without --frames, N frames are done.", "", Repeat::kLast,

@@ -29,7 +29,7 @@ struct Job {
   std::optional<video::FrameRate> fps;
   std::optional<std::pair<int, int>> size;
   std::string camera;
-  double orbit_deg = 0.0;
+  std::optional<double> orbit_deg;
   /// Frames of a full turn that ends where it began (frame 1 + turntable_frames looks like frame 1); 0: no turning.
   long turntable_frames = 0;
   std::string animation = "auto";

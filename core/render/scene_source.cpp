@@ -16,21 +16,32 @@ namespace {
 /// that one frame alone has the same bits as in a full run.
 constexpr int kBoundsSamples = 16;
 
-void Extend(scene::Bounds& bounds, const scene::Bounds& other) {
-  if (other.empty()) return;
-  bounds.min = glm::min(bounds.min, other.min);
-  bounds.max = glm::max(bounds.max, other.max);
-}
-
-scene::Bounds BoundsOverTime(const scene::Scene& scene, const scene::AnimationSelection& animations,
-                             double duration_s) {
+/// Calls `see` with the scene's items at moments all over its animation.
+template <class See>
+void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, const See& see) {
+  const double duration_s = scene::Duration(scene, animations);
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
-  scene::Bounds bounds;
+  std::vector<scene::DrawItem> items;
   for (int i = 0; i < samples; ++i) {
     const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
-    Extend(bounds, scene::ComputeBounds(scene, scene::BuildDrawItems(scene, pose, pose)));
+    scene::UpdateDrawItems(scene, pose, pose, items);
+    see(items);
   }
-  return bounds;
+}
+
+/// `fits_angle`: the automatic camera comes as near as this one orbit angle allows.
+scene::CameraChoice FrameWhole(const scene::Scene& scene, const scene::AnimationSelection& animations,
+                               std::pair<int, int> size, double orbit_deg, bool fits_angle) {
+  scene::CameraChoice choice;
+  if (fits_angle) choice.reach.emplace();
+  const std::array<glm::mat4, 2> maps = scene::AutoReach(size.first, size.second, orbit_deg);
+  OverTime(scene, animations, [&](const std::vector<scene::DrawItem>& items) {
+    choice.bounds.Extend(scene::ComputeBounds(scene, items));
+    for (std::size_t i = 0; i < maps.size() && fits_angle; ++i) {
+      (*choice.reach)[i].Extend(scene::ComputeBounds(scene, items, maps[i]));
+    }
+  });
+  return choice;
 }
 
 class SceneSource final : public Source {
@@ -39,12 +50,13 @@ class SceneSource final : public Source {
       : scene_(std::move(scene)),
         animations_(std::move(animations)),
         turntable_(job.turntable_frames),
-        orbit_deg_(job.orbit_deg),
+        orbit_deg_(job.orbit_deg.value_or(0.0)),
         size_(job.size.value_or(kDefaultSize)),
         rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
+    const bool turns = job.orbit_deg.has_value() || turntable_ > 0;
+    camera_ = FrameWhole(scene_, animations_, size_, orbit_deg_, camera_node == scene::kNone && !turns);
     camera_.camera_node = camera_node;
-    camera_.bounds = BoundsOverTime(scene_, animations_, duration_s);
     info_.kind = SourceKind::kScene;
     info_.rate = job.fps;
     // A loop's last frame is the one before the first comes again.

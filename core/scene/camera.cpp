@@ -120,25 +120,58 @@ float CylinderDistance(float radius, float half_height, float pitch, float tan_x
   return distance;
 }
 
-View FrameBounds(const Bounds& bounds, float aspect, double orbit_deg) {
+/// The automatic camera's axes in its columns: right, up, and back to the eye.
+glm::mat3 AutoAxes(double orbit_deg) {
+  const glm::vec3 back(std::sin(kAutoYaw) * std::cos(kAutoPitch), std::sin(kAutoPitch),
+                       std::cos(kAutoYaw) * std::cos(kAutoPitch));
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0f, 1.0f, 0.0f), back));
+  return glm::mat3(Orbit(glm::vec3(0.0f), orbit_deg)) * glm::mat3(right, glm::cross(back, right), back);
+}
+
+float Aspect(int width, int height) {
+  return static_cast<float>(std::max(width, 1)) / static_cast<float>(std::max(height, 1));
+}
+
+/// Tangents of the half angles of what the scene may fill: the picture without its margin.
+glm::vec2 FilledTangents(int width, int height) {
+  const float tan_y = std::tan(kAutoFov * 0.5f) / kAutoMargin;
+  return {tan_y * Aspect(width, height), tan_y};
+}
+
+/// Where the eye stands, along the axes. A point p is left of the picture's right side when p.z + p.x / tangent is
+/// below the same of the eye; so for the other sides. `nearest`: the least distance to the scene, for what points at
+/// the eye.
+glm::vec3 EyeOfReach(const std::array<Bounds, 2>& reach, const glm::vec2& tangents, float nearest) {
+  const float right = reach[0].max.x, left = reach[0].max.y, top = reach[0].max.z, bottom = reach[1].max.x;
+  return {0.5f * tangents.x * (right - left), 0.5f * tangents.y * (top - bottom),
+          std::max({0.5f * (right + left), 0.5f * (top + bottom), reach[1].max.y + nearest})};
+}
+
+View FrameScene(const CameraChoice& choice, int width, int height, double orbit_deg) {
+  const Bounds& bounds = choice.bounds;
   const glm::vec3 centre = bounds.empty() ? glm::vec3(0.0f) : (bounds.min + bounds.max) * 0.5f;
   glm::vec3 half = bounds.empty() ? glm::vec3(1.0f) : (bounds.max - bounds.min) * 0.5f;
   const float sphere = std::max(glm::length(half), 1e-6f);
   half = glm::max(half, glm::vec3(sphere * 1e-3f));  // a single point still has a picture
   const float tan_y = std::tan(kAutoFov * 0.5f);
-  const float distance =
-      kAutoMargin * CylinderDistance(std::hypot(half.x, half.z), half.y, kAutoPitch, tan_y * aspect, tan_y);
+  const float tan_x = tan_y * Aspect(width, height);
+  const glm::mat3 axes = AutoAxes(orbit_deg);
 
-  const glm::vec3 back(std::sin(kAutoYaw) * std::cos(kAutoPitch), std::sin(kAutoPitch),
-                       std::cos(kAutoYaw) * std::cos(kAutoPitch));
-  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0f, 1.0f, 0.0f), back));
-  const glm::mat4 world_from_view(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f),
-                                  glm::vec4(back, 0.0f), glm::vec4(centre + back * distance, 1.0f));
+  const glm::vec3 middle = glm::transpose(axes) * centre;
+  glm::vec3 eye = middle;
+  if (choice.reach && !bounds.empty()) eye = EyeOfReach(*choice.reach, FilledTangents(width, height), 0.05f * sphere);
+  float distance = eye.z - middle.z;
+  if (!choice.reach || distance < 1e-5f) {  // or a point
+    distance = kAutoMargin * CylinderDistance(std::hypot(half.x, half.z), half.y, kAutoPitch, tan_x, tan_y);
+    eye = middle + glm::vec3(0.0f, 0.0f, distance);
+  }
+  glm::mat4 world_from_view(axes);
+  world_from_view[3] = glm::vec4(axes * eye, 1.0f);
   View view;
-  view.view_from_world = RigidInverse(Orbit(centre, orbit_deg) * world_from_view);
+  view.view_from_world = RigidInverse(world_from_view);
   view.znear = std::max((distance - sphere) * 0.9f, distance * 1e-3f);
   view.zfar = (distance + sphere) * 1.1f;
-  view.clip_from_view = Perspective(kAutoFov, aspect, view.znear, view.zfar);
+  view.clip_from_view = Perspective(kAutoFov, Aspect(width, height), view.znear, view.zfar);
   return view;
 }
 
@@ -163,9 +196,9 @@ Result<int> SelectCamera(const Scene& scene, const std::string& choice) {
 
 View MakeView(const Scene& scene, const CameraChoice& choice, const Pose& pose, int width, int height,
               double orbit_deg) {
-  const float aspect = static_cast<float>(std::max(width, 1)) / static_cast<float>(std::max(height, 1));
-  if (choice.camera_node == kNone) return FrameBounds(choice.bounds, aspect, orbit_deg);
+  if (choice.camera_node == kNone) return FrameScene(choice, width, height, orbit_deg);
 
+  const float aspect = Aspect(width, height);
   const auto node = static_cast<std::size_t>(choice.camera_node);
   const Camera& camera = scene.cameras[static_cast<std::size_t>(scene.nodes[node].camera)];
   const glm::vec3 centre = choice.bounds.empty() ? glm::vec3(0.0f) : (choice.bounds.min + choice.bounds.max) * 0.5f;
@@ -179,6 +212,15 @@ View MakeView(const Scene& scene, const CameraChoice& choice, const Pose& pose, 
   view.clip_from_view = camera.orthographic ? Orthographic(camera.ymag * aspect, camera.ymag, view.znear, view.zfar)
                                             : Perspective(camera.yfov_rad, aspect, view.znear, view.zfar);
   return view;
+}
+
+std::array<glm::mat4, 2> AutoReach(int width, int height, double orbit_deg) {
+  const glm::mat3 axes = AutoAxes(orbit_deg);
+  const glm::vec2 tangents = FilledTangents(width, height);
+  const glm::vec3 x = axes[0] / tangents.x;
+  const glm::vec3 y = axes[1] / tangents.y;
+  const glm::vec3 z = axes[2];
+  return {glm::mat4(glm::transpose(glm::mat3(z + x, z - x, z + y))), glm::mat4(glm::transpose(glm::mat3(z - y, z, z)))};
 }
 
 }  // namespace burin::scene

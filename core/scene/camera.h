@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
@@ -22,6 +24,9 @@ struct View {
 struct CameraChoice {
   int camera_node = kNone;      ///< kNone: auto, framed on `bounds`
   Bounds bounds;                ///< of the whole scene over the rendered time, for auto
+  /// Auto: the bounds of the scene as each matrix of AutoReach maps it; the picture is then filled. Absent: the distance
+  /// shows `bounds` at every orbit angle.
+  std::optional<std::array<Bounds, 2>> reach;
 };
 
 /// The node of the camera that --camera names: the name of a camera or of its node, or an index among the shown scene's
@@ -36,9 +41,14 @@ struct CameraChoice {
 /// the aspect: the camera's own aspectRatio (xmag) is not used, so pixels stay square. A camera node's scale is
 /// ignored.
 ///
-/// Auto: from the front, right and above (30 and 20 degrees), 35 degrees of vertical field of view, at a distance that
-/// shows the whole of `bounds` with a margin at every orbit angle (the distance does not change while it turns).
+/// Auto: from the front, right and above (30 and 20 degrees), 35 degrees of vertical field of view. With
+/// CameraChoice::reach the scene fills the picture but for a margin; without it the eye looks at the middle of `bounds`
+/// from a distance that shows them whole at every orbit angle, so that it does not change while it turns.
 [[nodiscard]] View MakeView(const Scene& scene, const CameraChoice& choice, const Pose& pose, int width, int height,
                             double orbit_deg);
+
+/// Affine maps of world space whose maxima over the scene say how far it reaches beyond each side of the automatic
+/// camera's picture and towards its eye: for CameraChoice::reach.
+[[nodiscard]] std::array<glm::mat4, 2> AutoReach(int width, int height, double orbit_deg);
 
 }  // namespace burin::scene

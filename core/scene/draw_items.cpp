@@ -40,8 +40,7 @@ void Deform(const Primitive& primitive, const Deformation& now, const Deformatio
 }
 
 Bounds Merge(Bounds a, const Bounds& b) {
-  a.min = glm::min(a.min, b.min);
-  a.max = glm::max(a.max, b.max);
+  a.Extend(b);
   return a;
 }
 
@@ -104,13 +103,13 @@ void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous,
   items.resize(count);
 }
 
-Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items) {
+Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items, const glm::mat4& from_world) {
   Bounds bounds;
   for (const DrawItem& item : items) {
     const Primitive& primitive =
         scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
     const std::vector<glm::vec3>& positions = item.is_deformed ? item.deformed.positions : primitive.positions;
-    bounds = Merge(bounds, BoundsOf(positions, item.world_from_object));
+    bounds.Extend(BoundsOf(positions, from_world * item.world_from_object));
   }
   return bounds;
 }

@@ -22,8 +22,8 @@ using AnimationSelection = std::vector<int>;
 [[nodiscard]] float Duration(const Scene& scene, const AnimationSelection& selection);
 
 struct Pose {
-  std::vector<glm::mat4> world_from_node;        ///< one a node
-  std::vector<std::vector<float>> weights;       ///< one a node with a morphed mesh; else empty
+  std::vector<glm::mat4> world_from_node;   ///< one a node
+  std::vector<std::vector<float>> weights;  ///< one a node with a morphed mesh; else empty
 };
 
 /// `time_s` is taken modulo each animation's duration (loops): at its duration an animation is back at 0. Negative
@@ -48,11 +48,11 @@ struct DeformedVertices {
 struct DrawItem {
   int node = kNone;
   int mesh = kNone;
-  int primitive = kNone;                  ///< in the mesh
-  std::uint32_t object_id = 0;            ///< 1 + the node's index among the nodes with a mesh, in node order
-  std::uint32_t material_id = 0;          ///< 1 + the material's index; 0: the default material
-  std::uint32_t first_primitive_id = 0;   ///< of this item; ids run on over a frame, from 1, background 0
-  bool is_deformed = false;               ///< then `deformed` holds world-space (skinned) or object-space vertices
+  int primitive = kNone;                 ///< in the mesh
+  std::uint32_t object_id = 0;           ///< 1 + the node's index among the nodes with a mesh, in node order
+  std::uint32_t material_id = 0;         ///< 1 + the material's index; 0: the default material
+  std::uint32_t first_primitive_id = 0;  ///< of this item; ids run on over a frame, from 1, background 0
+  bool is_deformed = false;              ///< then `deformed` holds world-space (skinned) or object-space vertices
   DeformedVertices deformed;
   glm::mat4 world_from_object{1.0f};
   glm::mat4 previous_world_from_object{1.0f};
@@ -69,8 +69,14 @@ void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous,
 struct Bounds {
   glm::vec3 min{1e30f};
   glm::vec3 max{-1e30f};
+  void Extend(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
   [[nodiscard]] bool empty() const { return min.x > max.x; }
 };
-[[nodiscard]] Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items);
+/// `from_world`: of the items mapped by it (affine).
+[[nodiscard]] Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items,
+                                   const glm::mat4& from_world = glm::mat4(1.0f));
 
 }  // namespace burin::scene

@@ -26,7 +26,7 @@ class FileCamera : public ::testing::Test {
   Pose pose_ = EvaluatePose(scene_, {}, 0.0);
 
   View Look(int node, int width, int height, double orbit_deg = 0.0, const Bounds& bounds = {}) {
-    return MakeView(scene_, {node, bounds}, pose_, width, height, orbit_deg);
+    return MakeView(scene_, {node, bounds, {}}, pose_, width, height, orbit_deg);
   }
 };
 
@@ -100,7 +100,7 @@ TEST(AutoCamera, ShowsTheWholeBoundsAtEveryAngle) {
     for (const auto& [width, height] : {std::pair(100, 100), std::pair(1920, 1080), std::pair(100, 700)}) {
       float largest = 0.0f;
       for (int angle = 0; angle < 360; angle += 15) {
-        const View view = MakeView(Scene(), {kNone, box}, {}, width, height, angle);
+        const View view = MakeView(Scene(), {kNone, box, {}}, {}, width, height, angle);
         for (int corner = 0; corner < 8; ++corner) {
           const glm::vec3 p((corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
                             (corner & 4) != 0 ? box.max.z : box.min.z);
@@ -116,12 +116,38 @@ TEST(AutoCamera, ShowsTheWholeBoundsAtEveryAngle) {
   }
 }
 
+TEST(AutoCamera, FillsThePictureWithWhatTheSceneReaches) {
+  // A slanted rod's box is much larger than the rod: its corners are far outside, the rod's ends touch the margin.
+  for (const glm::vec3 end : {glm::vec3(10, -4, 2), glm::vec3(-1, 30, 1), glm::vec3(0.2f, 0.1f, -9)}) {
+    for (const auto& [width, height] : {std::pair(100, 100), std::pair(1920, 1080), std::pair(100, 700)}) {
+      for (int angle = 0; angle < 360; angle += 45) {
+        const std::array<glm::mat4, 2> maps = AutoReach(width, height, angle);
+        CameraChoice choice{kNone, {glm::min(end, -end), glm::max(end, -end)}, std::array<Bounds, 2>()};
+        for (std::size_t i = 0; i < 2; ++i) {
+          for (const glm::vec3& p : {end, -end}) {
+            const glm::vec3 mapped(maps[i] * glm::vec4(p, 1.0f));
+            (*choice.reach)[i].Extend({mapped, mapped});
+          }
+        }
+        const View view = MakeView(Scene(), choice, {}, width, height, angle);
+        const glm::vec3 a = Project(view, end), b = Project(view, -end);
+        const float reach = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+        EXPECT_LT(reach, 1.0f);
+        const glm::vec3 along = glm::normalize(glm::mat3(view.view_from_world) * end);
+        if (std::abs(along.z) < 0.9f) EXPECT_GT(reach, 0.8f) << end.x << ' ' << angle << ' ' << width;
+        EXPECT_GT(std::min(a.z, b.z), 0.0f);
+        EXPECT_LT(std::max(a.z, b.z), 1.0f);
+      }
+    }
+  }
+}
+
 TEST(AutoCamera, KeepsItsDistanceWhileItTurns) {
   const Bounds box{{0, 0, 0}, {10, 1, 2}};
   const glm::vec3 centre(5, 0.5f, 1);
   float distance = 0.0f;
   for (int angle = 0; angle < 360; angle += 30) {
-    const View view = MakeView(Scene(), {kNone, box}, {}, 640, 480, angle);
+    const View view = MakeView(Scene(), {kNone, box, {}}, {}, 640, 480, angle);
     const glm::vec3 eye(glm::inverse(view.view_from_world)[3]);
     if (angle == 0) {
       distance = glm::length(eye - centre);
@@ -138,7 +164,7 @@ TEST(AutoCamera, KeepsItsDistanceWhileItTurns) {
 
 TEST(AutoCamera, FramesNothingAndPointsWithoutFault) {
   for (const Bounds& box : {Bounds(), Bounds{{3, 3, 3}, {3, 3, 3}}}) {
-    const View view = MakeView(Scene(), {kNone, box}, {}, 64, 64, 0.0);
+    const View view = MakeView(Scene(), {kNone, box, {}}, {}, 64, 64, 0.0);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         EXPECT_TRUE(std::isfinite(view.clip_from_view[i][j]));
