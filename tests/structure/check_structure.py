@@ -22,6 +22,7 @@ ALLOWED = {
     "core/scene": {"core/base", "core/image", "core/geometry"},
     "core/gbuffer": {"core/base", "core/image", "core/gl", "core/scene", "core/geometry"},
     "core/effect": {"core/base", "core/image", "core/gl", "fx_parser"},
+    "core/overdraw": {"core/base", "core/image", "core/gl", "core/scene", "core/geometry", "core/gbuffer"},
     "core/render": {"core/base", "core/image", "core/video", "core/gl", "core/scene", "core/geometry", "core/gbuffer",
                     "core/effect", "fx_parser"},
     "cli": {"core/render", "core/base", "fx_parser"},   # fx_parser: diagnostics as JSON, near names
