@@ -42,6 +42,11 @@ Result<void> StoreDepth(Settings& settings, const std::string& value) {
   return {};
 }
 
+Result<void> StoreSamples(Settings& settings, const std::string& value) {
+  settings.job.samples = std::stoi(value);
+  return {};
+}
+
 Result<void> StoreAlpha(Settings& settings, const std::string& value) {
   using enum render::AlphaOutput;
   settings.job.alpha = value == "keep" ? kKeep : value == "drop" ? kDrop : kAuto;
@@ -170,6 +175,10 @@ constexpr OptionSpec kTable[] = {
      "Colour behind the scene: #RRGGBB or #RRGGBBAA (sRGB), R,G,B or R,G,B,A (scene-linear), black, white. Otherwise "
      "transparent.",
      "", Repeat::kLast, [](Settings& s, const std::string& v) { return Store(s.job.background, ParseColor(v)); }},
+    {"samples", 0, "N", kRender, kScene,
+     "Supersample the scene: color, intensity and alpha are the mean of 1, 4 (2x2) or 16 (4x4) samples a pixel, in "
+     "linear light. Ids and other data are never averaged. Otherwise 1.",
+     "1|4|16", Repeat::kLast, StoreSamples},
 
     {"param", 0, "NAME=VALUE", kRender, kEffect,
      "Set a parameter of the effect: numbers separated by commas, true or false, or a file for a texture. Can be given "

@@ -57,12 +57,14 @@ Result<void> FrameRenderer::Build(RendererInput input) {
   if (!pictures) return std::unexpected(pictures.error());
   pictures_ = *std::move(pictures);
   if (input.scene != nullptr) {
-    glm::vec4 background(0.0f);
+    SceneOptions options;
+    options.environment = input.environment;
+    options.samples = input.samples;
     if (input.background) {
       const auto& [r, g, b, a] = *input.background;
-      background = {r * a, g * a, b * a, a};
+      options.background = {r * a, g * a, b * a, a};
     }
-    auto scene = SceneStage::Create(*input.scene, input.environment, background, *pictures_);
+    auto scene = SceneStage::Create(*input.scene, options, *pictures_);
     if (!scene) return std::unexpected(scene.error());
     scene_ = *std::move(scene);
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <future>
 #include <optional>
 
@@ -97,11 +98,20 @@ Result<Prepared> Prepare(const Job& job, Output output) {
   return prepared;
 }
 
-Result<void> CheckLimits(const Plan& plan, const SourceInfo& source, const gl::DeviceInfo& device) {
+Result<void> CheckLimits(const Plan& plan, const Job& job, const SourceInfo& source, const gl::DeviceInfo& device) {
   const int limit = device.max_texture_size;
   if (plan.width > limit || plan.height > limit) {
     return Fail(ErrorKind::kFailed, fmt::format("the frame is {}x{}, over this device's limit of {}x{} ({})",
                                                 plan.width, plan.height, limit, limit, device.renderer));
+  }
+  const int per_axis = job.samples == 16 ? 4 : job.samples == 4 ? 2 : 1;
+  if (source.kind == SourceKind::kScene && std::max(plan.width, plan.height) > limit / per_axis) {
+    return Fail(
+        ErrorKind::kFailed,
+        fmt::format("the frame is {}x{}, with --samples {} rendered at {}x{}, over this device's limit of {}x{} "
+                    "({})",
+                    plan.width, plan.height, job.samples, static_cast<long>(plan.width) * per_axis,
+                    static_cast<long>(plan.height) * per_axis, limit, limit, device.renderer));
   }
   if (source.width > limit || source.height > limit) {
     return Fail(ErrorKind::kFailed, fmt::format("the source is {}x{}, over this device's limit of {}x{} ({})",
@@ -129,11 +139,12 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
                           long& frames_done) {
   const Plan& plan = prepared.plan;
   const SourceInfo& source = prepared.source->info();
-  if (auto good = CheckLimits(plan, source, device); !good) return good;
+  if (auto good = CheckLimits(plan, job, source, device); !good) return good;
   input.scene = prepared.source->scene();
   input.is_opaque = !source.has_alpha;
   input.environment = prepared.environment ? &*prepared.environment : nullptr;
   input.background = Background(job, plan.output);
+  input.samples = job.samples;
   input.effects = std::move(effects);
   input.include_folders = job.include_folders;
   input.transform = prepared.transform;
@@ -141,6 +152,9 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   if (!renderer) return std::unexpected(renderer.error());
   for (const std::string& choice : (*renderer)->choices()) progress.Info(choice);
   for (const std::string& warning : prepared.source->warnings()) progress.Warning(warning);
+  if (job.samples > 1 && source.kind != SourceKind::kScene) {
+    progress.Warning(fmt::format("--samples {}: the source is no scene, so there is nothing to sample", job.samples));
+  }
   for (const std::string& warning : (*renderer)->TakeWarnings()) progress.Warning(warning);
   auto sink = OpenSink(plan, job, source, prepared.transform);
   if (!sink) return std::unexpected(sink.error());

@@ -2,20 +2,30 @@
 #include "core/render/scene_stage.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
+#include <map>
 #include <vector>
+
+#include "core/gbuffer/storage.h"
 
 namespace burin::render {
 
-SceneStage::SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const glm::vec4& background,
+SceneStage::SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options,
                        PictureStage& pictures)
-    : renderer_(std::move(renderer)), background_(background), pictures_(pictures) {}
+    : renderer_(std::move(renderer)), background_(options.background), samples_(options.samples), pictures_(pictures) {}
 
-Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene, const image::Image* environment,
-                                                       const glm::vec4& background, PictureStage& pictures) {
-  auto renderer = gbuffer::SceneRenderer::Create(scene, environment);
+Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene, const SceneOptions& options,
+                                                       PictureStage& pictures) {
+  auto renderer = gbuffer::SceneRenderer::Create(scene, options.environment);
   if (!renderer) return std::unexpected(renderer.error());
-  return std::unique_ptr<SceneStage>(new SceneStage(*std::move(renderer), background, pictures));
+  std::unique_ptr<SceneStage> stage(new SceneStage(*std::move(renderer), options, pictures));
+  if (options.samples > 1) {
+    auto supersampler = gbuffer::Supersampler::Create(options.samples);
+    if (!supersampler) return std::unexpected(supersampler.error());
+    stage->supersampler_ = *std::move(supersampler);
+  }
+  return stage;
 }
 
 gbuffer::FrameInput SceneStage::Input(const SceneFrame& frame) const {
@@ -31,7 +41,12 @@ gbuffer::FrameInput SceneStage::Input(const SceneFrame& frame) const {
 Result<void> SceneStage::Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests) {
   std::vector<gbuffer::Request> direct;
   std::vector<gbuffer::Request> through_transform;
+  std::map<std::pair<int, int>, std::vector<gbuffer::Request>> supersampled;
   for (const gbuffer::Request& request : requests) {
+    if (supersampler_ && gbuffer::IsColorClass(request.attribute)) {
+      supersampled[{request.target->width(), request.target->height()}].push_back(request);
+      continue;
+    }
     const bool is_plain = pictures_.transform().is_srgb() || request.encoding != image::Encoding::kDisplay ||
                           !gbuffer::Info(request.attribute).is_color;
     (is_plain ? direct : through_transform).push_back(request);
@@ -41,6 +56,9 @@ Result<void> SceneStage::Fill(const SceneFrame& frame, std::span<const gbuffer::
   }
   for (const gbuffer::Request& request : through_transform) {
     if (auto filled = FillThroughTransform(frame, request); !filled) return filled;
+  }
+  for (const auto& [size, of_size] : supersampled) {
+    if (auto filled = FillSupersampled(frame, of_size); !filled) return filled;
   }
   return {};
 }
@@ -60,6 +78,16 @@ Result<void> SceneStage::FillThroughTransform(const SceneFrame& frame, const gbu
   const gbuffer::Request display{is_intensity ? Attribute::kIntensity : Attribute::kColor, request.target,
                                  image::Encoding::kDisplay};
   return pictures_.Fill(linear_, image::Encoding::kSceneLinear, {&display, 1});
+}
+
+Result<void> SceneStage::FillSupersampled(const SceneFrame& frame, std::span<const gbuffer::Request> requests) {
+  const gl::Texture& target = *requests.front().target;
+  const auto color = supersampler_->Render(*renderer_, Input(frame), target.width(), target.height());
+  if (!color) {
+    return Fail(color.error().kind, fmt::format("{}x{} at --samples {}: {}", target.width(), target.height(), samples_,
+                                                color.error().message));
+  }
+  return pictures_.Fill(**color, image::Encoding::kSceneLinear, requests);
 }
 
 effect::SceneDraws SceneStage::Draws(const SceneFrame& frame) {

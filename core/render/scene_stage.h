@@ -7,31 +7,42 @@
 #include "core/base/error.h"
 #include "core/effect/effect_runner.h"
 #include "core/gbuffer/attribute_renderer.h"
+#include "core/gbuffer/supersampler.h"
 #include "core/render/picture_stage.h"
 #include "core/render/source.h"
 
 namespace burin::render {
 
+/// How a scene is drawn, the same for all frames.
+struct SceneOptions {
+  const image::Image* environment = nullptr;  ///< null: the built-in one
+  glm::vec4 background{0.0f};                 ///< scene-linear with associated alpha
+  int samples = 1;                            ///< --samples: of color, intensity and alpha, a pixel: 1, 4 or 16
+};
+
 /// Fills attributes from a scene, through the job's display transform. Context's thread only.
 class SceneStage {
  public:
-  /// `scene` and `pictures` outlive this. `background`: scene-linear with associated alpha.
+  /// `scene` and `pictures` outlive this; `options.environment` is only looked at.
   [[nodiscard]] static Result<std::unique_ptr<SceneStage>> Create(const scene::Scene& scene,
-                                                                  const image::Image* environment,
-                                                                  const glm::vec4& background, PictureStage& pictures);
+                                                                  const SceneOptions& options, PictureStage& pictures);
 
   [[nodiscard]] Result<void> Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
   /// The draws for custom attributes; valid while `frame` is and until the next Fill.
   [[nodiscard]] effect::SceneDraws Draws(const SceneFrame& frame);
 
  private:
-  SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const glm::vec4& background, PictureStage& pictures);
+  SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options, PictureStage& pictures);
   [[nodiscard]] gbuffer::FrameInput Input(const SceneFrame& frame) const;
   [[nodiscard]] Result<void> FillThroughTransform(const SceneFrame& frame, const gbuffer::Request& request);
+  /// Requests of one size.
+  [[nodiscard]] Result<void> FillSupersampled(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
 
   std::unique_ptr<gbuffer::SceneRenderer> renderer_;
   glm::vec4 background_;
+  int samples_;
   PictureStage& pictures_;
+  std::unique_ptr<gbuffer::Supersampler> supersampler_;  ///< null: one sample a pixel
   gl::Texture linear_;
 };
 

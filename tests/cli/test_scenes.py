@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from burin_cli import SCENES, SOURCE, BurinTest, identity, read_exr_channels, read_png
+from burin_cli import SCENES, SOURCE, BurinTest, gradient, identity, read_exr_channels, read_png, write_png
 
 SIZE = ("--size", "48x32")
 
@@ -72,6 +72,39 @@ class Scenes(BurinTest):
         self.assertEqual(rows[0][:4], [0, 0, 0, 0])
         self.burin("render", self.scene, "-o", "c.png", "--background", "#336699", *SIZE)
         self.assertEqual(read_png(self.folder / "c.png")[0][0][:4], [0x33, 0x66, 0x99, 255])
+
+    def test_samples_smooth_edges_and_leave_ids_alone(self):
+        still = ("--background", "white", *SIZE)
+        self.burin("render", self.scene, "-o", "default.png", *still)
+        for samples in ("1", "4", "16"):
+            self.burin("render", self.scene, "-o", f"s{samples}.png", "--samples", samples, *still)
+            self.burin("render", self.scene, "-o", f"id{samples}.png", "--attributes", "objectid", "--samples", samples, *SIZE)
+        self.assertEqual((self.folder / "default.png").read_bytes(), (self.folder / "s1.png").read_bytes())
+        self.assertEqual((self.folder / "id1.png").read_bytes(), (self.folder / "id16.png").read_bytes())
+        colors = [len({tuple(row[i:i + 3]) for row in read_png(self.folder / f"s{n}.png")[0] for i in range(0, len(row), 4)})
+                  for n in (1, 4, 16)]
+        self.assertLess(colors[0], colors[1])
+        self.assertNotEqual((self.folder / "s4.png").read_bytes(), (self.folder / "s16.png").read_bytes())
+
+    def test_samples_reach_effects(self):
+        self.write("copy.fx", identity())
+        self.burin("render", "copy.fx", self.scene, "-o", "e.png", "--samples", "4", *SIZE)
+        self.burin("render", self.scene, "-o", "p.png", "--samples", "4", *SIZE)
+        self.assertEqual(read_png(self.folder / "e.png"), read_png(self.folder / "p.png"))
+        self.burin("render", "filter/supersample", self.scene, "-o", "s.png", "--samples", "4", *SIZE)
+        self.burin("render", "filter/supersample", self.scene, "-o", "n.png", *SIZE)
+        self.assertNotEqual((self.folder / "s.png").read_bytes(), (self.folder / "n.png").read_bytes())
+
+    def test_samples_over_the_devices_limit_are_refused(self):
+        result = self.burin("render", self.scene, "-o", "a.png", "--samples", "16", "--size", "10000x8", status=1)
+        self.assertIn("the frame is 10000x8, with --samples 16 rendered at 40000x32, over this device's limit", result.stderr)
+        self.assertEqual(self.names(), [])
+
+    def test_samples_of_a_picture_are_ignored_with_a_warning(self):
+        write_png(self.folder / "a.png", gradient(5, 3, 3), 3)
+        result = self.burin("render", "a.png", "-o", "b.png", "--samples", "4")
+        self.assertIn("--samples 4: the source is no scene, so there is nothing to sample", result.stderr)
+        self.assertEqual(read_png(self.folder / "a.png"), read_png(self.folder / "b.png"))
 
     def test_unknown_cameras_and_animations_are_refused(self):
         self.burin("render", self.scene, "-o", "a.png", "--camera", "Nobody", status=2)

@@ -38,6 +38,7 @@ class Usage(BurinTest):
         self.refused("render", "a.png", "-o", "b.png", "--size", "big", message="--size big: expected WIDTHxHEIGHT")
         self.refused("render", "a.png", "-o", "b.png", "--frames", "1:10", message="'a:b' is not a range; write 1-10")
         self.refused("render", "a.png", "-o", "b.png", "--progress-fd", "77", message="--progress-fd 77: Bad file descriptor")
+        self.refused("render", "a.glb", "-o", "b.png", "--samples", "8", message="--samples 8: expected one of 1|4|16")
         self.refused("render", "a.png", "-o", message="--output needs a value: --output FILE")
 
     def test_a_macro_or_parameter_needs_a_name(self):

@@ -54,6 +54,13 @@ TEST(Parse, TheLastOfARepeatedOptionCounts) {
   EXPECT_EQ(Parsed("render", {"--size", "1x1", "--size", "2x2"}).job.size, std::pair(2, 2));
 }
 
+TEST(Parse, ThereIsOneSampleAPixelUnlessMoreAreAskedFor) {
+  EXPECT_EQ(Parsed("render", {}).job.samples, 1);
+  EXPECT_EQ(Parsed("render", {"--samples", "1"}).job.samples, 1);
+  EXPECT_EQ(Parsed("render", {"--samples=4"}).job.samples, 4);
+  EXPECT_EQ(Parsed("render", {"--samples", "16"}).job.samples, 16);
+}
+
 TEST(Parse, UnknownOptionsAreRefusedWithTheNearest) {
   EXPECT_EQ(Refusal("render", {"--sise", "1x1"}), "burin render: unknown option --sise; did you mean --size?");
   EXPECT_EQ(Refusal("render", {"--fames=1"}), "burin render: unknown option --fames; did you mean --frames?");
@@ -79,6 +86,8 @@ TEST(Parse, MalformedValuesAreRefusedByOption) {
             "--size 99999999999x1: expected WIDTHxHEIGHT in pixels, both at least 1, such as 1920x1080");
   EXPECT_EQ(Refusal("render", {"--progress", "loud"}), "--progress loud: expected one of bar|plain|json|openjd|none");
   EXPECT_EQ(Refusal("render", {"--depth", "12"}), "--depth 12: expected one of 8|16|32");
+  EXPECT_EQ(Refusal("render", {"--samples", "2"}), "--samples 2: expected one of 1|4|16");
+  EXPECT_EQ(Refusal("render", {"--samples", "many"}), "--samples many: expected one of 1|4|16");
   EXPECT_EQ(Refusal("render", {"--quality", "101"}), "--quality 101: expected a whole number from 1 to 100");
   EXPECT_EQ(Refusal("render", {"--orbit", "nan"}), "--orbit nan: expected a number");
   EXPECT_EQ(Refusal("render", {"--param", "x"}), "--param x: expected NAME=VALUE");
