@@ -47,6 +47,25 @@ Result<void> StoreSamples(Settings& settings, const std::string& value) {
   return {};
 }
 
+Result<void> StoreWithin(float& place, const std::string& option, const std::string& value, double least, double most) {
+  const Result<double> number = ParseNumber(option, value);
+  if (!number) return std::unexpected(number.error());
+  if (!(*number >= least && *number <= most)) {
+    return Fail(ErrorKind::kUsage, fmt::format("--{}: {} is not between {} and {}", option, value, least, most));
+  }
+  place = static_cast<float>(*number);
+  return {};
+}
+
+Result<void> StoreEdges(Settings& settings, const std::string& value) {
+  using enum overdraw::EdgeMode;
+  settings.job.edges.mode = value == "off"        ? kOff
+                            : value == "unsorted" ? kUnsorted
+                            : value == "sorted"   ? kSorted
+                                                  : kResolve;
+  return {};
+}
+
 Result<void> StoreAlpha(Settings& settings, const std::string& value) {
   using enum render::AlphaOutput;
   settings.job.alpha = value == "keep" ? kKeep : value == "drop" ? kDrop : kAuto;
@@ -179,6 +198,30 @@ constexpr OptionSpec kTable[] = {
      "Supersample the scene: color, intensity and alpha are the mean of 1, 4 (2x2) or 16 (4x4) samples a pixel, in "
      "linear light. Ids and other data are never averaged. Otherwise 1.",
      "1|4|16", Repeat::kLast, StoreSamples},
+
+    {"edges", 0, "MODE", kRender, kScene,
+     "Antialias the scene's discontinuity edges: resolve mixes the two sides of an edge by the area that each has of a "
+     "pixel; sorted and unsorted draw smooth lines over the edges (discontinuity edge overdraw), back to front or in "
+     "any order; off. Ids and other data are never touched. Otherwise resolve.",
+     "off|unsorted|sorted|resolve", Repeat::kLast, StoreEdges},
+    {"crease-angle", 0, "DEGREES", kRender, kScene,
+     "Faces that meet at more than this angle, 0 to 180, are a crease even where the shading is smooth. Otherwise 60.",
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       return StoreWithin(s.job.edges.crease_angle_deg, "crease-angle", v, 0.0, 180.0);
+     }},
+    {"edge-tau", 0, "T", kRender, kScene,
+     "sorted, unsorted: how far, 0 to 1, a sharp edge turns from its left face to its right one before it takes on the "
+     "right one's shading. Otherwise 0.9.",
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) { return StoreWithin(s.job.edges.tau, "edge-tau", v, 0.0, 1.0); }},
+    {"edge-order", 0, "ORDER", kRender, kScene,
+     "sorted: the edges of the whole scene in one order, or object by object. Otherwise scene.", "scene|object",
+     Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.edges.sorts_whole_scene = v == "scene";
+       return Result<void>();
+     }},
 
     {"param", 0, "NAME=VALUE", kRender, kEffect,
      "Set a parameter of the effect: numbers separated by commas, true or false, or a file for a texture. Can be given "

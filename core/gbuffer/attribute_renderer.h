@@ -26,6 +26,23 @@ struct Request {
   image::Encoding encoding = image::Encoding::kSceneLinear;  ///< of colour attributes
 };
 
+struct FrameInput;
+
+/// What is done about edges when a size's geometry is drawn: core/overdraw. Context's thread only.
+class EdgeStage {
+ public:
+  virtual ~EdgeStage() = default;
+  /// True when Antialias does anything.
+  [[nodiscard]] virtual bool antialiases() const = 0;
+  /// Works on a finished colour in place. `color`: one for which CanLoadColor (storage.h) holds; `depth`: what it was
+  /// drawn with (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane).
+  [[nodiscard]] virtual Result<void> Antialias(const FrameInput& frame, const Request& color,
+                                               const gl::Texture& depth) = 0;
+  /// Fills targets of one size with attributes of edges.
+  [[nodiscard]] virtual Result<void> Fill(const FrameInput& frame, std::span<const Request> requests,
+                                          const gl::Texture& depth) = 0;
+};
+
 /// Everything about one frame that the renderer does not keep.
 struct FrameInput {
   scene::View view;
@@ -33,6 +50,7 @@ struct FrameInput {
   const scene::Pose* pose = nullptr;  ///< for lights
   std::span<const scene::DrawItem> items;
   glm::vec4 background{0.0f};  ///< of `color`, scene-linear with associated alpha (--background)
+  EdgeStage* edges = nullptr;  ///< null: edges stay as they are, and attributes of edges empty
 };
 
 /// Draws one item's geometry with the caller's program bound; attributes at gl::VertexLocation.

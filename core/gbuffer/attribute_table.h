@@ -36,6 +36,8 @@ enum class Attribute : std::uint8_t {
   kMetallic,
   kLightDepth,
   kVideo,
+  kEdges,
+  kEdgeDist,
   kCount
 };
 
@@ -57,5 +59,10 @@ struct AttributeInfo {
 [[nodiscard]] std::optional<Attribute> FindAttribute(std::string_view name);  ///< case ignored
 [[nodiscard]] const AttributeInfo& Info(Attribute attribute);
 [[nodiscard]] std::span<const AttributeInfo> AllAttributes();
+
+/// True for those that an EdgeStage fills (attribute_renderer.h).
+[[nodiscard]] constexpr bool IsEdgeAttribute(Attribute attribute) {
+  return attribute == Attribute::kEdges || attribute == Attribute::kEdgeDist;
+}
 
 }  // namespace burin::gbuffer

@@ -46,10 +46,12 @@ glm::mat4 ReverseDepth(const scene::View& view) {
   return glm::mat4(reversed);
 }
 
+glm::mat4 ClipFromWorld(const scene::View& view) { return Product(ReverseDepth(view), view.view_from_world); }
+
 FrameBlock MakeFrameBlock(const FrameInput& frame, const KeyLight& key, int width, int height) {
   FrameBlock block{};
-  block.clip_from_world = Product(ReverseDepth(frame.view), frame.view.view_from_world);
-  block.previous_clip_from_world = Product(ReverseDepth(frame.previous_view), frame.previous_view.view_from_world);
+  block.clip_from_world = ClipFromWorld(frame.view);
+  block.previous_clip_from_world = ClipFromWorld(frame.previous_view);
   block.view_from_world = frame.view.view_from_world;
   block.eye = EyeOf(frame.view);
   block.viewport = glm::vec4(static_cast<float>(width), static_cast<float>(height), 0.0f, 0.0f);

@@ -13,6 +13,9 @@ namespace burin::gbuffer {
 /// far away too (Reed, "Depth Precision Visualized", 2015). Rows x, y, w stay.
 [[nodiscard]] glm::mat4 ReverseDepth(const scene::View& view);
 
+/// The view's projection with reversed depth times its view matrix, rounded once.
+[[nodiscard]] glm::mat4 ClipFromWorld(const scene::View& view);
+
 /// Camera and key light; the environment's members are the caller's.
 [[nodiscard]] FrameBlock MakeFrameBlock(const FrameInput& frame, const KeyLight& key, int width, int height);
 [[nodiscard]] DrawBlock MakeDrawBlock(const scene::DrawItem& item);

@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/gbuffer/attribute_renderer.h"
@@ -40,6 +41,21 @@ void Fill(const gl::BufferHandle& buffer, const void* data, std::size_t bytes) {
   glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
 }
 
+void ClearToBackground(const Request& request) {
+  const std::array<float, 4> empty =
+      StoredBackground({request.attribute, request.target->format(), request.encoding}, {});
+  glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
+}
+
+// True when some colour can't be smoothed where it is kept: intensity, alpha, and formats that lose the colour.
+bool SmoothsIndirectly(const FrameInput& frame, std::span<const Request> requests) {
+  if (frame.edges == nullptr || !frame.edges->antialiases()) return false;
+  return std::ranges::any_of(requests, [](const Request& request) {
+    return IsColorClass(request.attribute) &&
+           !CanLoadColor({request.attribute, request.target->format(), request.encoding});
+  });
+}
+
 class Renderer final : public SceneRenderer {
  public:
   Renderer(const scene::Scene& scene, std::optional<EnvironmentMap> environment,
@@ -66,8 +82,10 @@ class Renderer final : public SceneRenderer {
   Result<FrameDraws> Prepare(const FrameInput& frame);
   Result<std::vector<Request>> TakeOverColor(std::span<const Request> requests,
                                              std::map<Size, std::vector<Request>>& resolves);
-  Result<void> RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group,
-                           bool blends);
+  Result<void> RenderGroup(const FrameInput& frame, const FrameDraws& draws, Size size,
+                           const std::vector<Request>& group, bool takes_over);
+  Result<void> RenderEdges(const FrameInput& frame, const FrameDraws& draws, std::span<const Request> requests,
+                           std::set<Size> drawn);
   void BindFrame(const FrameInput& frame, Size size, bool wants_color);
   Result<Buffers*> BuffersOf(Size size, bool wants_color);
   GeometryPass& PassOf(std::vector<Output> outputs);
@@ -149,8 +167,8 @@ GeometryPass& Renderer::PassOf(std::vector<Output> outputs) {
   return found != passes_.end() ? *found : passes_.emplace_back(std::move(outputs));
 }
 
-// Blending needs scene-linear colour with associated alpha: colour, intensity and alpha of one size become one request
-// for such a target, and are resolved from it afterwards.
+// Blending, and edges of what is no colour, need scene-linear colour with associated alpha: colour, intensity and alpha
+// of one size become one request for such a target, and are resolved from it afterwards.
 Result<std::vector<Request>> Renderer::TakeOverColor(std::span<const Request> requests,
                                                      std::map<Size, std::vector<Request>>& resolves) {
   std::vector<Request> taken;
@@ -185,9 +203,8 @@ void Renderer::BindFrame(const FrameInput& frame, Size size, bool wants_color) {
   if (light_count_ > 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLightBinding, lights_.id());
 }
 
-Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& draws, const std::vector<Request>& group,
-                                   bool blends) {
-  const Size size = SizeOf(group.front());
+Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& draws, Size size,
+                                   const std::vector<Request>& group, bool takes_over) {
   const Result<Buffers*> buffers = BuffersOf(size, false);
   if (!buffers) return std::unexpected(buffers.error());
   std::vector<const gl::Texture*> targets;
@@ -198,7 +215,7 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
     wants_color |= is_color;
     outputs.push_back({.location = static_cast<int>(outputs.size()),
                        .storage = {request.attribute, request.target->format(), request.encoding},
-                       .is_blended = is_color && blends});
+                       .is_blended = is_color && takes_over});
     targets.push_back(request.target);
   }
   const Result<gl::Framebuffer> framebuffer = gl::Framebuffer::Create(targets, &(*buffers)->depth, "geometry pass");
@@ -214,23 +231,43 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   BindFrame(frame, size, wants_color);
   Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_);
   gl::ResetState();
+  for (const Request& request : group) {
+    const bool smooths = frame.edges != nullptr && frame.edges->antialiases() && IsColorClass(request.attribute);
+    if (result && smooths) result = frame.edges->Antialias(frame, request, (*buffers)->depth);
+  }
   return result;
+}
+
+// Attributes of edges need the depth of their size, whether or not anything else is drawn at it.
+Result<void> Renderer::RenderEdges(const FrameInput& frame, const FrameDraws& draws, std::span<const Request> requests,
+                                   std::set<Size> drawn) {
+  for (const std::vector<Request>& group : GroupRequests(requests)) {
+    const Size size = SizeOf(group.front());
+    if (frame.edges == nullptr) {
+      for (const Request& request : group) ClearToBackground(request);
+      continue;
+    }
+    if (drawn.insert(size).second) {
+      if (Result<void> result = RenderGroup(frame, draws, size, {}, false); !result) return result;
+    }
+    if (Result<void> result = frame.edges->Fill(frame, group, buffers_.at(size).depth); !result) return result;
+  }
+  return {};
 }
 
 Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> requests) {
   gl::ResetState();
   SetMissingAttributes();
   std::vector<Request> drawn;
+  std::vector<Request> of_edges;
   for (const Request& request : requests) {
-    if (request.attribute != Attribute::kVideo) {
-      drawn.push_back(request);
-      continue;
+    if (request.attribute == Attribute::kVideo) {
+      ClearToBackground(request);
+    } else {
+      (IsEdgeAttribute(request.attribute) ? of_edges : drawn).push_back(request);
     }
-    const std::array<float, 4> empty =
-        StoredBackground({request.attribute, request.target->format(), request.encoding}, {});
-    glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
   }
-  if (drawn.empty()) return {};
+  if (drawn.empty() && of_edges.empty()) return {};
 
   const std::vector<LightRecord> lights = BuildLights(*scene_, *frame.pose, exposure_);
   light_count_ = lights.size();
@@ -238,21 +275,24 @@ Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> 
   const Result<FrameDraws> draws = Prepare(frame);
   if (!draws) return std::unexpected(draws.error());
 
-  const bool blends = !draws->blended.empty();
+  const bool takes_over = !draws->blended.empty() || SmoothsIndirectly(frame, drawn);
   std::map<Size, std::vector<Request>> resolves;
-  if (blends) {
+  if (takes_over) {
     Result<std::vector<Request>> taken = TakeOverColor(drawn, resolves);
     if (!taken) return std::unexpected(taken.error());
     drawn = std::move(*taken);
   }
+  std::set<Size> sizes;
   for (const std::vector<Request>& group : GroupRequests(drawn)) {
-    if (Result<void> result = RenderGroup(frame, *draws, group, blends); !result) return result;
+    const Size size = SizeOf(group.front());
+    sizes.insert(size);
+    if (Result<void> result = RenderGroup(frame, *draws, size, group, takes_over); !result) return result;
   }
   for (const auto& [size, resolve] : resolves) {
     Result<void> result = resolver_->Render(buffers_.at(size).color, image::Encoding::kSceneLinear, resolve);
     if (!result) return result;
   }
-  return {};
+  return RenderEdges(frame, *draws, of_edges, std::move(sizes));
 }
 
 Result<std::vector<GeometryDraw>> Renderer::Draws(const FrameInput& frame) {

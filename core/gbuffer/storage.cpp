@@ -205,6 +205,16 @@ std::string StoreExpression(const Storage& storage, std::string_view value) {
   return Limit(storage, Place(storage, Expand(storage, converted, info.is_signed && IsUnorm(storage))));
 }
 
+bool CanLoadColor(const Storage& storage) {
+  const bool has_rgb =
+      storage.format.components >= 3 && !gl::IsLuminance(storage.format) && !gl::IsAlphaOnly(storage.format);
+  return has_rgb && (storage.attribute == Attribute::kColor || storage.attribute == Attribute::kVideo);
+}
+
+std::string LoadColorExpression(const Storage& storage, std::string_view texel) {
+  return IsDisplay(storage) ? fmt::format("SceneFromDisplay({})", texel) : std::string(texel);
+}
+
 std::string StorePictureExpression(const Storage& storage, std::string_view value) {
   return StoreConverted(storage, std::string(value));
 }

@@ -28,7 +28,15 @@ struct Storage {
 /// is scene-linear with associated alpha; 4-component data keeps its alpha) or uint for ids.
 [[nodiscard]] std::string StoreExpression(const Storage& storage, std::string_view value);
 
-/// The same for color, intensity, alpha and video where `value` has the target's encoding and alpha already.
+/// True where the scene-linear colour with associated alpha can be read back: `color` in a target that keeps red, green
+/// and blue.
+[[nodiscard]] bool CanLoadColor(const Storage& storage);
+
+/// The GLSL vec4 of that colour, from `texel` as the target's texture reads it.
+[[nodiscard]] std::string LoadColorExpression(const Storage& storage, std::string_view texel);
+
+/// The same as StoreExpression for color, intensity, alpha and video where `value` has the
+/// target's encoding and alpha already.
 [[nodiscard]] std::string StorePictureExpression(const Storage& storage, std::string_view value);
 
 /// What an empty target is cleared to. `color`: the background of `color`, scene-linear with associated alpha.

@@ -60,6 +60,7 @@ Result<void> FrameRenderer::Build(RendererInput input) {
     SceneOptions options;
     options.environment = input.environment;
     options.samples = input.samples;
+    options.edges = input.edges;
     if (input.background) {
       const auto& [r, g, b, a] = *input.background;
       options.background = {r * a, g * a, b * a, a};

@@ -20,7 +20,8 @@ struct RendererInput {
   bool is_opaque = false;                          ///< pictures whose alpha is 1 everywhere
   const image::Image* environment = nullptr;       ///< null: the built-in one
   std::optional<std::array<float, 4>> background;  ///< scene-linear, unassociated alpha
-  int samples = 1;                                 ///< of a scene's colour, a pixel
+  overdraw::EdgeOptions edges;
+  int samples = 1;  ///< of a scene's colour, a pixel
   std::vector<std::shared_ptr<const fx::Effect>> effects;
   std::vector<std::string> techniques;
   std::vector<Assignments> parameters;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/image_module.h"
+#include "core/overdraw/edge_options.h"
 #include "core/video/video_module.h"
 
 namespace burin::render {
@@ -35,7 +36,8 @@ struct Job {
   std::string animation = "auto";
   std::string environment;
   std::optional<std::array<float, 4>> background;  ///< scene-linear RGBA behind a scene; absent: transparent
-  int samples = 1;                                 ///< of a scene's colour, a pixel: 1, 4 or 16
+  overdraw::EdgeOptions edges;
+  int samples = 1;  ///< of a scene's colour, a pixel: 1, 4 or 16
   image::ColorOptions color;
   std::string device = "auto";
   int threads = 0;

@@ -145,6 +145,7 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   input.environment = prepared.environment ? &*prepared.environment : nullptr;
   input.background = Background(job, plan.output);
   input.samples = job.samples;
+  input.edges = job.edges;
   input.effects = std::move(effects);
   input.include_folders = job.include_folders;
   input.transform = prepared.transform;

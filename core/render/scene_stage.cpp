@@ -20,6 +20,7 @@ Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene
   auto renderer = gbuffer::SceneRenderer::Create(scene, options.environment);
   if (!renderer) return std::unexpected(renderer.error());
   std::unique_ptr<SceneStage> stage(new SceneStage(*std::move(renderer), options, pictures));
+  stage->edges_ = overdraw::EdgeRenderer::Create(scene, options.edges);
   if (options.samples > 1) {
     auto supersampler = gbuffer::Supersampler::Create(options.samples);
     if (!supersampler) return std::unexpected(supersampler.error());
@@ -35,10 +36,12 @@ gbuffer::FrameInput SceneStage::Input(const SceneFrame& frame) const {
   input.pose = &frame.pose;
   input.items = frame.items;
   input.background = background_;
+  input.edges = edges_.get();
   return input;
 }
 
 Result<void> SceneStage::Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests) {
+  edges_->BeginFrame();
   std::vector<gbuffer::Request> direct;
   std::vector<gbuffer::Request> through_transform;
   std::map<std::pair<int, int>, std::vector<gbuffer::Request>> supersampled;

@@ -8,6 +8,7 @@
 #include "core/effect/effect_runner.h"
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/supersampler.h"
+#include "core/overdraw/edge_renderer.h"
 #include "core/render/picture_stage.h"
 #include "core/render/source.h"
 
@@ -17,7 +18,8 @@ namespace burin::render {
 struct SceneOptions {
   const image::Image* environment = nullptr;  ///< null: the built-in one
   glm::vec4 background{0.0f};                 ///< scene-linear with associated alpha
-  int samples = 1;                            ///< --samples: of color, intensity and alpha, a pixel: 1, 4 or 16
+  overdraw::EdgeOptions edges;
+  int samples = 1;  ///< --samples: of color, intensity and alpha, a pixel: 1, 4 or 16
 };
 
 /// Fills attributes from a scene, through the job's display transform. Context's thread only.
@@ -39,6 +41,7 @@ class SceneStage {
   [[nodiscard]] Result<void> FillSupersampled(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
 
   std::unique_ptr<gbuffer::SceneRenderer> renderer_;
+  std::unique_ptr<overdraw::EdgeRenderer> edges_;
   glm::vec4 background_;
   int samples_;
   PictureStage& pictures_;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "core/overdraw/frame_edges.h"
+
+namespace burin::overdraw {
+
+/// A corner of the quadrilateral round one edge. All but `position` is the same at its four corners.
+struct EdgeVertex {
+  glm::vec2 position;  ///< clip space, w = 1
+  glm::vec4 segment;   ///< both ends in pixels, x right and y down from the picture's top left corner
+  glm::vec4 depth;     ///< reversed window depth at the ends; slack (EdgeQuads.cpp); EdgeClass
+};
+
+struct QuadOptions {
+  glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one
+  int width = 0;                    ///< pixels
+  int height = 0;
+  float reach = 0.0f;       ///< pixels beyond the squares that the edge touches
+  bool keeps_seams = true;  ///< else edges of class kSeam are left out
+};
+
+/// Four vertices an edge that is in the picture, in the order of `segments`: to be drawn as two triangles (0 1 2, 2 1
+/// 3). Edges are cut at the near plane and at the picture's border. The result does not depend on the number of
+/// threads.
+void BuildEdgeQuads(std::span<const EdgeSegment> segments, const QuadOptions& options,
+                    std::vector<EdgeVertex>& vertices);
+
+}  // namespace burin::overdraw
