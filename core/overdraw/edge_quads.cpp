@@ -105,11 +105,17 @@ float Slope(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const Pr
   return std::isfinite(slope) ? slope : kNone;
 }
 
-/// Zero for silhouettes: on one of their sides the surface lies farther off whatever its slope.
-float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, float depth,
+/// True when `corner` lies on the side of (-d.y, d.x) of a to b in the picture, whatever is behind the eye.
+bool IsOnPositiveSide(const glm::vec4& a, const glm::vec4& b, const glm::vec4& corner) {
+  const auto row = [](const glm::vec4& v) { return glm::dvec3(v.x, -v.y, v.w); };
+  return glm::dot(glm::cross(row(a), row(b)), row(corner)) > 0.0;
+}
+
+/// Zero for outlines: off their surface everything lies farther off whatever the slope.
+float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, bool is_outline, float depth,
             const Projection& projection) {
   float slope = 0.0f;
-  if (edge.shows_left && edge.shows_right && edge.edge_class != EdgeClass::kSilhouette) {
+  if (!is_outline) {
     slope = std::min(Slope(a, b, projection.Clip(edge.left_corner), projection),
                      Slope(a, b, projection.Clip(edge.right_corner), projection));
   }
@@ -119,8 +125,17 @@ float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, flo
 /// Writes four vertices, or false.
 bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projection& projection, EdgeVertex* out) {
   if (!options.keeps_seams && edge.edge_class == EdgeClass::kSeam) return false;
-  const glm::vec4 clip_a = projection.Clip(edge.ends[0]);
-  const glm::vec4 clip_b = projection.Clip(edge.ends[1]);
+  glm::vec4 clip_a = projection.Clip(edge.ends[0]);
+  glm::vec4 clip_b = projection.Clip(edge.ends[1]);
+  float kind = static_cast<float>(edge.edge_class);
+  const bool left = IsOnPositiveSide(clip_a, clip_b, projection.Clip(edge.left_corner));
+  const bool right = IsOnPositiveSide(clip_a, clip_b, projection.Clip(edge.right_corner));
+  // An outline unless a surface is seen on either side.
+  const bool is_outline = !edge.shows_left || !edge.shows_right || left == right;
+  if (is_outline) {
+    kind = -1.0f - kind;
+    if (!(edge.shows_left ? left : right)) std::swap(clip_a, clip_b);
+  }
   std::optional<ScreenSegment> cut = CutAtNear(clip_a, clip_b, projection);
   if (!cut) return false;
   const float margin = options.reach + 2.0f;
@@ -135,8 +150,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   const float grow = options.reach + 0.5f * (std::abs(along.x) + std::abs(along.y)) + 0.01f;
   const float depth = std::max(cut->a.z, cut->b.z);
   const glm::vec4 segment(a.x, a.y, b.x, b.y);
-  const glm::vec4 depths(cut->a.z, cut->b.z, Slack(edge, clip_a, clip_b, depth, projection),
-                         static_cast<float>(edge.edge_class));
+  const glm::vec4 depths(cut->a.z, cut->b.z, Slack(edge, clip_a, clip_b, is_outline, depth, projection), kind);
   for (int corner = 0; corner < 4; ++corner) {
     const glm::vec2 end = (corner & 1) != 0 ? b + along * grow : a - along * grow;
     const glm::vec2 p = end + across * ((corner & 2) != 0 ? grow : -grow);

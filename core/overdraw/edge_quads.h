@@ -14,8 +14,12 @@ namespace burin::overdraw {
 /// A corner of the quadrilateral round one edge. All but `position` is the same at its four corners.
 struct EdgeVertex {
   glm::vec2 position;  ///< clip space, w = 1
-  glm::vec4 segment;   ///< both ends in pixels, x right and y down from the picture's top left corner
-  glm::vec4 depth;     ///< reversed window depth at the ends; slack (EdgeQuads.cpp); EdgeClass
+  /// Both ends in pixels, x right and y down from the picture's top left corner. The surface of an outline lies on the
+  /// side of (-d.y, d.x), d from the first end to the second.
+  glm::vec4 segment;
+  /// Reversed window depth at the ends; slack (edge_quads.cpp); EdgeClass, or -1 - EdgeClass where the surface is seen
+  /// on one side only: an outline.
+  glm::vec4 depth;
 };
 
 struct QuadOptions {

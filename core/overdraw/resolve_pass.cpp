@@ -7,6 +7,8 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 
 #include "core/gl/framebuffer.h"
@@ -15,9 +17,13 @@
 namespace burin::overdraw {
 namespace {
 
-// Areas beyond the edges towards the right, left, lower and upper neighbour.
+// Towards the right, left, lower and upper neighbour, areas beyond the edges: that an outline's surface covers though
+// the centre is off it; that an outline's surface leaves free though the centre is on its side; on the other side of an
+// edge both of whose faces show.
 constexpr std::string_view kAreaBody = R"(
-layout(location = 0) out vec4 areas;
+layout(location = 0) out vec4 covered;
+layout(location = 1) out vec4 exposed;
+layout(location = 2) out vec4 across_edge;
 
 // Where a direction from the centre meets the square's border: length along it in pixels, 0 to 4.
 float Perimeter(vec2 v) {
@@ -34,19 +40,29 @@ void main() {
   along -= 4.0 * round(0.25 * along);
   float area = 0.25 * abs(along) - 0.5 * abs(p.x * q.y - p.y * q.x);
   vec2 d = v_segment.zw - v_segment.xy;
-  vec2 across = vec2(-d.y, d.x);
-  if (dot(across, p + q) < 0.0) across = -across;
+  vec2 inwards = vec2(-d.y, d.x);
+  bool is_beyond_inside = dot(inwards, p + q) > 0.0;   // beyond the edge lies the outline's surface
+  vec2 across = is_beyond_inside ? inwards : -inwards;
   bool is_wide = abs(across.x) >= abs(across.y);
   ivec2 to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (area <= 0.0 || IsHidden(pixel, pixel + to, z)) discard;
-  areas = area * max(vec4(to.x, -to.x, to.y, -to.y), vec4(0.0));
+  bool is_outline = v_depth.w < 0.0;
+  ivec2 other = pixel + to;
+  // An outline is seen against what lies off its surface; other edges, where either side is seen.
+  if (is_outline) { if (is_beyond_inside) other = pixel; else pixel = other; }
+  if (area <= 0.0 || IsHidden(pixel, other, z)) discard;
+  vec4 areas = area * max(vec4(to.x, -to.x, to.y, -to.y), vec4(0.0));
+  covered = is_outline && is_beyond_inside ? areas : vec4(0.0);
+  exposed = is_outline && !is_beyond_inside ? areas : vec4(0.0);
+  across_edge = is_outline ? vec4(0.0) : areas;
 }
 )";
 
 constexpr std::string_view kBlendBody = R"(
-layout(binding = 1) uniform sampler2D areas_texture;
-layout(binding = 2) uniform sampler2D picture;
+layout(binding = 1) uniform sampler2D covered_texture;
+layout(binding = 2) uniform sampler2D exposed_texture;
+layout(binding = 3) uniform sampler2D across_texture;
+layout(binding = 4) uniform sampler2D picture;
 layout(location = 0) out vec4 result;
 
 vec4 Linear(ivec2 p) {
@@ -56,7 +72,14 @@ vec4 Linear(ivec2 p) {
 
 void main() {
   ivec2 p = ivec2(gl_FragCoord.xy);
-  vec4 areas = texelFetch(areas_texture, p, 0);
+  vec4 covered = texelFetch(covered_texture, p, 0);
+  vec4 exposed = texelFetch(exposed_texture, p, 0);
+  vec4 areas = texelFetch(across_texture, p, 0);
+  float front = dot(covered, vec4(1.0));
+  float back = dot(exposed, vec4(1.0));
+  // Surfaces that cover, less what they leave free again: thin ones cover only the difference.
+  if (front > back) areas += covered * ((front - back) / front);
+  else if (back > 0.0) areas += exposed * ((back - front) / back);
   float sum = dot(areas, vec4(1.0));
   if (sum < 0.0005) discard;
   areas /= max(sum, 1.0);
@@ -70,8 +93,10 @@ void main() {
 )";
 
 constexpr std::string_view kCleanText = R"(#version 450 core
-layout(location = 0) out vec4 areas;
-void main() { areas = vec4(0.0); }
+layout(location = 0) out vec4 a;
+layout(location = 1) out vec4 b;
+layout(location = 2) out vec4 c;
+void main() { a = b = c = vec4(0.0); }
 )";
 
 std::string AreaText() {
@@ -101,8 +126,8 @@ Result<void> Ensure(gl::Program& program, std::string_view fragment, std::string
   return {};
 }
 
-Result<void> DrawInto(const gl::Texture& target, const gl::Program& program, const EdgeQuadBuffer& quads) {
-  const gl::Texture* const targets[] = {&target};
+Result<void> DrawInto(std::span<const gl::Texture* const> targets, const gl::Program& program,
+                      const EdgeQuadBuffer& quads) {
   const Result<gl::Framebuffer> framebuffer = gl::Framebuffer::Create(targets, nullptr, "edge resolve");
   if (!framebuffer) return std::unexpected(framebuffer.error());
   framebuffer->Bind();
@@ -123,12 +148,16 @@ Result<ResolvePass::Scratch*> ResolvePass::ScratchFor(const gl::Texture& color) 
   Result<gl::Texture> copy =
       gl::Texture::Create(color.format(), color.width(), color.height(), 1, "edge resolve: copy");
   if (!copy) return std::unexpected(copy.error());
-  Result<gl::Texture> areas = gl::Texture::Create(gl::PlainFormat(gl::Numeric::kFloat, 16, 4), color.width(),
-                                                  color.height(), 1, "edge resolve: areas");
-  if (!areas) return std::unexpected(areas.error());
-  const float zero[4] = {0, 0, 0, 0};
-  glClearTexImage(areas->id(), 0, GL_RGBA, GL_FLOAT, zero);
-  scratches_.push_back({std::move(*copy), std::move(*areas)});
+  scratch.copy = std::move(*copy);
+  for (gl::Texture& areas : scratch.areas) {
+    Result<gl::Texture> made = gl::Texture::Create(gl::PlainFormat(gl::Numeric::kFloat, 16, 4), color.width(),
+                                                   color.height(), 1, "edge resolve: areas");
+    if (!made) return std::unexpected(made.error());
+    const float zero[4] = {0, 0, 0, 0};
+    glClearTexImage(made->id(), 0, GL_RGBA, GL_FLOAT, zero);
+    areas = std::move(*made);
+  }
+  scratches_.push_back(std::move(scratch));
   return &scratches_.back();
 }
 
@@ -153,21 +182,24 @@ Result<void> ResolvePass::Draw(const gl::Texture& color, const gbuffer::Storage&
   const Result<Scratch*> scratch = ScratchFor(color);
   if (!scratch) return std::unexpected(scratch.error());
   const gl::Texture& copy = (*scratch)->copy;
-  const gl::Texture& areas = (*scratch)->areas;
+  const std::array<gl::Texture, 3>& areas = (*scratch)->areas;
+  const std::array<const gl::Texture*, 3> area_targets = {&areas[0], &areas[1], &areas[2]};
+  const std::array<const gl::Texture*, 1> color_targets = {&color};
 
   gl::ResetState();
   glCopyImageSubData(color.id(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.id(), GL_TEXTURE_2D, 0, 0, 0, 0, color.width(),
                      color.height(), 1);
-  for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
-  glBindTextureUnit(0, depth.id());
-  glBindTextureUnit(1, areas.id());
-  glBindTextureUnit(2, copy.id());
+  const std::array<GLuint, 5> textures = {depth.id(), areas[0].id(), areas[1].id(), areas[2].id(), copy.id()};
+  for (GLuint unit = 0; unit < textures.size(); ++unit) {
+    glBindSampler(unit, 0);
+    glBindTextureUnit(unit, textures[unit]);
+  }
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  if (auto drawn = DrawInto(areas, area_program_, quads); !drawn) return drawn;
+  if (auto drawn = DrawInto(area_targets, area_program_, quads); !drawn) return drawn;
   glDisable(GL_BLEND);
-  if (auto drawn = DrawInto(color, **blend, quads); !drawn) return drawn;
-  return DrawInto(areas, clean_program_, quads);
+  if (auto drawn = DrawInto(color_targets, **blend, quads); !drawn) return drawn;
+  return DrawInto(area_targets, clean_program_, quads);
 }
 
 }  // namespace burin::overdraw

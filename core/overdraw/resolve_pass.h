@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/base/error.h"
@@ -30,7 +31,7 @@ class ResolvePass {
   /// Scratch of one size and format, clean between calls.
   struct Scratch {
     gl::Texture copy;
-    gl::Texture areas;
+    std::array<gl::Texture, 3> areas;  ///< covered, exposed, across (resolve_pass.cpp)
   };
   [[nodiscard]] Result<Scratch*> ScratchFor(const gl::Texture& color);
   [[nodiscard]] Result<const gl::Program*> BlendProgram(const gbuffer::Storage& storage);

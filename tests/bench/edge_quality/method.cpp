@@ -32,10 +32,11 @@ std::vector<glm::dvec2> FourSamplePositions() {
 }  // namespace
 
 std::vector<Method> Methods(const glm::vec4& background) {
-  const auto options = [&](int samples) {
+  const auto options = [&](int samples, overdraw::EdgeMode edges = overdraw::EdgeMode::kOff) {
     render::SceneOptions scene_options;
     scene_options.background = background;
     scene_options.samples = samples;
+    scene_options.edges.mode = edges;
     return scene_options;
   };
   std::vector<Method> methods;
@@ -44,6 +45,7 @@ std::vector<Method> Methods(const glm::vec4& background) {
   methods.push_back({.name = "4x4", .options = options(16)});
   // Visibility as four hardware samples see it; shading is taken at each of them too, which real MSAA does once.
   methods.push_back({.name = "4x MSAA", .options = options(1), .offsets = FourSamplePositions(), .is_timed = false});
+  methods.push_back({.name = "resolve", .options = options(1, overdraw::EdgeMode::kResolve)});
   return methods;
 }
 
