@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -28,12 +30,25 @@ struct Request {
 
 struct FrameInput;
 
+/// An edge of a face, drawn over a picture as an antialiased line one pixel wide, with that face's shading.
+struct ShadedLine {
+  std::uint32_t item = 0;                   ///< index in FrameInput::items
+  std::array<std::uint32_t, 2> vertices{};  ///< of its primitive
+  float alpha = 1.0f;
+  float slack = 0.0f;    ///< how far behind the surface, in window depth, it is still drawn
+  bool is_back = false;  ///< the face's back is seen
+};
+
 /// What is done about edges when a size's geometry is drawn: core/overdraw. Context's thread only.
 class EdgeStage {
  public:
   virtual ~EdgeStage() = default;
   /// True when Antialias does anything.
   [[nodiscard]] virtual bool antialiases() const = 0;
+  /// True when Lines gives any: colour is then drawn scene-linear, as lines are blended over it.
+  [[nodiscard]] virtual bool draws_lines() const = 0;
+  /// What is drawn over a colour of this size after its opaque surfaces, in this order; valid until the next call.
+  [[nodiscard]] virtual Result<std::span<const ShadedLine>> Lines(const FrameInput& frame, int width, int height) = 0;
   /// Works on a finished colour in place. `color`: one for which CanLoadColor (storage.h) holds; `depth`: what it was
   /// drawn with (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane).
   [[nodiscard]] virtual Result<void> Antialias(const FrameInput& frame, const Request& color,

@@ -89,13 +89,17 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
   return {};
 }
 
-Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials) {
+Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials,
+                                const std::function<Result<void>()>& after_opaque) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);  // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
   glDepthMask(GL_TRUE);
   glCullFace(GL_BACK);
   if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result)
     return result;
+  if (after_opaque) {
+    if (Result<void> result = after_opaque(); !result) return result;
+  }
   if (draws.blended.empty()) return {};
 
   glDepthMask(GL_FALSE);

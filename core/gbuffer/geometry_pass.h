@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -41,8 +42,10 @@ class GeometryPass {
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
 
   /// Into the bound framebuffer, cleared already (depth to 0); frame and light blocks bound. Opaque and masked surfaces
-  /// first; then blended colour, back to front; then what blended surfaces leave in the other outputs.
-  [[nodiscard]] Result<void> Draw(const FrameDraws& draws, MaterialStore& materials);
+  /// first; then `after_opaque`, if any; then blended colour, back to front; then what blended surfaces leave in the
+  /// other outputs.
+  [[nodiscard]] Result<void> Draw(const FrameDraws& draws, MaterialStore& materials,
+                                  const std::function<Result<void>()>& after_opaque);
 
  private:
   enum class Phase : std::uint8_t { kOpaque, kBlendedColor, kBlendedOthers };

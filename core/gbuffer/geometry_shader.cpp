@@ -21,14 +21,14 @@ layout(location = 4) in vec4 in_color;
 layout(location = 8) in vec2 in_texcoord0;
 layout(location = 9) in vec2 in_texcoord1;
 layout(location = 15) in vec3 in_previous_position;
-out vec3 v_position;
-out vec3 v_normal;
-out vec4 v_tangent;
-out vec4 v_color;
-out vec2 v_texcoord0;
-out vec2 v_texcoord1;
-out vec3 v_clip;
-out vec3 v_previous_clip;
+layout(location = 0) out vec3 v_position;
+layout(location = 1) out vec3 v_normal;
+layout(location = 2) out vec4 v_tangent;
+layout(location = 3) out vec4 v_color;
+layout(location = 4) out vec2 v_texcoord0;
+layout(location = 5) out vec2 v_texcoord1;
+layout(location = 6) out vec3 v_clip;
+layout(location = 7) out vec3 v_previous_clip;
 invariant gl_Position;
 void main() {
   vec4 world = world_from_object * vec4(in_position, 1.0);
@@ -44,20 +44,100 @@ void main() {
 }
 )";
 
+// An edge of a mesh as a quadrilateral one pixel to all sides of it: half a pixel of line and cap, and half of the
+// filter.
+constexpr std::string_view kLineBody = R"(
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+layout(std430, binding = 1) readonly buffer Lines { vec4 lines[]; };   // alpha, slack, 1 where the back is seen
+layout(location = 0) uniform int first_line;
+layout(location = 0) in vec3 in_position[];
+layout(location = 1) in vec3 in_normal[];
+layout(location = 2) in vec4 in_tangent[];
+layout(location = 3) in vec4 in_color[];
+layout(location = 4) in vec2 in_texcoord0[];
+layout(location = 5) in vec2 in_texcoord1[];
+layout(location = 0) out vec3 v_position;
+layout(location = 1) out vec3 v_normal;
+layout(location = 2) out vec4 v_tangent;
+layout(location = 3) out vec4 v_color;
+layout(location = 4) out vec2 v_texcoord0;
+layout(location = 5) out vec2 v_texcoord1;
+layout(location = 6) out vec3 v_clip;
+layout(location = 7) out vec3 v_previous_clip;
+layout(location = 8) flat out vec4 v_segment;
+layout(location = 9) flat out vec2 v_line;
+
+vec2 PixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * viewport.xy; }
+
+void Emit(vec4 clip, vec2 offset, float t, float slack) {
+  v_position = mix(in_position[0], in_position[1], t);
+  v_normal = mix(in_normal[0], in_normal[1], t);
+  v_tangent = vec4(mix(in_tangent[0].xyz, in_tangent[1].xyz, t), in_tangent[0].w);
+  v_color = mix(in_color[0], in_color[1], t);
+  v_texcoord0 = mix(in_texcoord0[0], in_texcoord0[1], t);
+  v_texcoord1 = mix(in_texcoord1[0], in_texcoord1[1], t);
+  v_clip = v_previous_clip = vec3(0.0);
+  gl_Position = clip + vec4(offset * vec2(2.0, -2.0) / viewport.xy, min(slack, 1.0 - clip.z / clip.w), 0.0) * clip.w;
+  EmitVertex();
+}
+
+void main() {
+  vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
+  // The near plane: reversed depth, z <= w.
+  float da = a.w - a.z, db = b.w - b.z;
+  if (da <= 0.0 && db <= 0.0) return;
+  float t0 = da <= 0.0 ? da / (da - db) : 0.0;
+  float t1 = db <= 0.0 ? da / (da - db) : 1.0;
+  vec4 p = mix(a, b, t0), q = mix(a, b, t1);
+  if (p.w <= 0.0 || q.w <= 0.0) return;
+  vec4 line = lines[first_line + gl_PrimitiveIDIn];
+  v_segment = vec4(PixelOf(p), PixelOf(q));
+  v_line = line.xz;
+  vec2 d = v_segment.zw - v_segment.xy;
+  vec2 along = length(d) > 1e-6 ? normalize(d) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  Emit(p, -along - across, t0, line.y);
+  Emit(p, across - along, t0, line.y);
+  Emit(q, along - across, t1, line.y);
+  Emit(q, along + across, t1, line.y);
+  EndPrimitive();
+}
+)";
+
+// A line of one pixel and square caps, each half a pixel long, through a box filter of one pixel.
+constexpr std::string_view kLineFunctions = R"(
+#if IS_LINE
+layout(location = 8) flat in vec4 v_segment;
+layout(location = 9) flat in vec2 v_line;
+float LineWeight() {
+  vec2 p = gl_FragCoord.xy - v_segment.xy, d = v_segment.zw - v_segment.xy;
+  float size = length(d);
+  vec2 along = size > 1e-6 ? d / size : vec2(1.0, 0.0);
+  float t = dot(p, along);
+  float beyond = max(max(-t, t - size), 0.0);
+  return v_line.x * clamp(1.0 - abs(dot(p, vec2(-along.y, along.x))), 0.0, 1.0) * clamp(1.0 - beyond, 0.0, 1.0);
+}
+bool IsFront() { return v_line.y < 0.5; }
+#else
+bool IsFront() { return gl_FrontFacing; }
+#endif
+)";
+
 constexpr std::string_view kFragmentInputs = R"(
 layout(binding = 0) uniform sampler2D base_color_texture;
 layout(binding = 1) uniform sampler2D metallic_roughness_texture;
 layout(binding = 2) uniform sampler2D normal_texture;
 layout(binding = 3) uniform sampler2D occlusion_texture;
 layout(binding = 4) uniform sampler2D emissive_texture;
-in vec3 v_position;
-in vec3 v_normal;
-in vec4 v_tangent;
-in vec4 v_color;
-in vec2 v_texcoord0;
-in vec2 v_texcoord1;
-in vec3 v_clip;
-in vec3 v_previous_clip;
+layout(location = 0) in vec3 v_position;
+layout(location = 1) in vec3 v_normal;
+layout(location = 2) in vec4 v_tangent;
+layout(location = 3) in vec4 v_color;
+layout(location = 4) in vec2 v_texcoord0;
+layout(location = 5) in vec2 v_texcoord1;
+layout(location = 6) in vec3 v_clip;
+layout(location = 7) in vec3 v_previous_clip;
 
 struct Surface {
   vec3 position;
@@ -131,7 +211,7 @@ Surface GetSurface() {
 #else
   vec3 n = s.view;
 #endif
-  float side = gl_FrontFacing ? 1.0 : -1.0;
+  float side = IsFront() ? 1.0 : -1.0;
 #if HAS_TANGENTS
   s.tangent = Unit(v_tangent.xyz);
   vec3 bitangent = cross(n, s.tangent) * v_tangent.w;
@@ -180,6 +260,9 @@ constexpr std::string_view kColorStatements = R"(
   vec3 shaded = Shade(s);
 #endif
   vec4 color = vec4(max(shaded, vec3(0.0)) * coverage, coverage);
+#if IS_LINE
+  color *= LineWeight();
+#endif
 )";
 
 struct FeatureName {
@@ -200,6 +283,7 @@ constexpr std::array kFeatureNames = {
     FeatureName{kHasLights, "LIGHTS"},
     FeatureName{kIsBlend, "IS_BLEND"},
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
+    FeatureName{kIsLine, "IS_LINE"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -259,7 +343,7 @@ bool NeedsColor(const std::vector<Output>& outputs) {
 
 std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features) {
   constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;  // a discarded fragment is missing from every attribute
-  std::uint32_t relevant = kDiscards | kIsBlendedColor;
+  std::uint32_t relevant = kDiscards | kIsBlendedColor | kIsLine;
   if ((features & kDiscards) != 0) relevant |= kHasBaseColorTexture;
   for (const Output& output : outputs) {
     const bool is_color = output.is_blended || NeedsColor({output});
@@ -286,6 +370,13 @@ std::string GeometryVertexText() {
   return text;
 }
 
+std::string LineGeometryText() {
+  std::string text = "#version 450 core\n";
+  text += BlockDeclarations();
+  text += kLineBody;
+  return text;
+}
+
 std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features) {
   std::string text = "#version 450 core\n";
   for (const FeatureName& entry : kFeatureNames) {
@@ -294,6 +385,7 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   text += fmt::format("#define BLEND_CUTOFF {:.3f}\n", kBlendCutoff);
   text += BlockDeclarations();
   text += kFragmentInputs;
+  text += kLineFunctions;
   text += StorageFunctions();
   text += kSurfaceFunctions;
   const bool needs_color = NeedsColor(outputs);

@@ -25,6 +25,7 @@ enum DrawFeature : std::uint32_t {
   kHasLights = 1u << 10,  ///< of the scene
   kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
+  kIsLine = 1u << 13,          ///< an edge drawn through LineGeometryText(), for its colour alone
 };
 
 /// BLEND surfaces with less alpha than this are not there for any attribute but color, intensity and alpha.
@@ -39,6 +40,8 @@ struct Output {
 };
 
 [[nodiscard]] std::string GeometryVertexText();
+/// The geometry stage of ShadedLines (attribute_renderer.h).
+[[nodiscard]] std::string LineGeometryText();
 [[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features);
 
 /// The features that make a difference to these outputs.

@@ -12,7 +12,7 @@
 namespace burin::gbuffer {
 
 enum UniformBinding : unsigned { kFrameBinding = 0, kDrawBinding = 1, kMaterialBinding = 2 };
-enum StorageBinding : unsigned { kLightBinding = 0 };
+enum StorageBinding : unsigned { kLightBinding = 0, kLineBinding = 1 };
 
 /// Texture units. The first five follow MaterialTexture.
 inline constexpr unsigned kEnvironmentUnit = 5;

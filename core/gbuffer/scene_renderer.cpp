@@ -15,6 +15,7 @@
 #include "core/gbuffer/frame_blocks.h"
 #include "core/gbuffer/geometry_pass.h"
 #include "core/gbuffer/light_setup.h"
+#include "core/gbuffer/line_pass.h"
 #include "core/gbuffer/request_groups.h"
 #include "core/gl/debug.h"
 #include "core/gl/framebuffer.h"
@@ -47,9 +48,12 @@ void ClearToBackground(const Request& request) {
   glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
 }
 
-// True when some colour can't be smoothed where it is kept: intensity, alpha, and formats that lose the colour.
+// True when some colour can't be smoothed where it is kept: intensity, alpha, and formats that lose the colour; and
+// where lines are blended over it.
 bool SmoothsIndirectly(const FrameInput& frame, std::span<const Request> requests) {
-  if (frame.edges == nullptr || !frame.edges->antialiases()) return false;
+  if (frame.edges == nullptr) return false;
+  if (frame.edges->draws_lines()) return std::ranges::any_of(requests, IsColorClass, &Request::attribute);
+  if (!frame.edges->antialiases()) return false;
   return std::ranges::any_of(requests, [](const Request& request) {
     return IsColorClass(request.attribute) &&
            !CanLoadColor({request.attribute, request.target->format(), request.encoding});
@@ -102,6 +106,7 @@ class Renderer final : public SceneRenderer {
   std::size_t light_count_ = 0;
   std::map<Size, Buffers> buffers_;
   std::list<GeometryPass> passes_;
+  LinePass lines_;
 };
 
 // The frame's items on the device, with their blocks.
@@ -209,10 +214,10 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   if (!buffers) return std::unexpected(buffers.error());
   std::vector<const gl::Texture*> targets;
   std::vector<Output> outputs;
-  bool wants_color = false;
+  int color_location = -1;
   for (const Request& request : group) {
     const bool is_color = IsColorClass(request.attribute);
-    wants_color |= is_color;
+    if (is_color) color_location = static_cast<int>(outputs.size());
     outputs.push_back({.location = static_cast<int>(outputs.size()),
                        .storage = {request.attribute, request.target->format(), request.encoding},
                        .is_blended = is_color && takes_over});
@@ -228,8 +233,15 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   }
   glClearNamedFramebufferfi(framebuffer->id(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
   framebuffer->Bind();
-  BindFrame(frame, size, wants_color);
-  Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_);
+  BindFrame(frame, size, color_location >= 0);
+  const auto draw_lines = [&, count = static_cast<int>(outputs.size())]() -> Result<void> {
+    const auto lines = frame.edges->Lines(frame, size.first, size.second);
+    if (!lines) return std::unexpected(lines.error());
+    return lines_.Draw(*lines, draws, color_location, count, materials_);
+  };
+  std::function<Result<void>()> after_opaque;
+  if (color_location >= 0 && frame.edges != nullptr && frame.edges->draws_lines()) after_opaque = draw_lines;
+  Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_, after_opaque);
   gl::ResetState();
   for (const Request& request : group) {
     const bool smooths = frame.edges != nullptr && frame.edges->antialiases() && IsColorClass(request.attribute);

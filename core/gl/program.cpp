@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "core/gl/debug.h"
@@ -26,12 +27,19 @@ std::string DriverIdentity() {
   return identity;
 }
 
-std::string CacheKey(std::string_view vertex, std::string_view fragment) {
+std::string CacheKey(const ProgramText& text) {
   std::string key = DriverIdentity();
-  key += vertex;
+  key += text.vertex;
   key += '\0';
-  key += fragment;
+  key += text.fragment;
+  if (text.geometry.empty()) return key;
+  key += '\0';
+  key += text.geometry;
   return key;
+}
+
+std::string_view StageName(GLenum stage) {
+  return stage == GL_VERTEX_SHADER ? "vertex" : stage == GL_GEOMETRY_SHADER ? "geometry" : "fragment";
 }
 
 std::string_view SourceLine(std::string_view source, int number) {
@@ -77,8 +85,7 @@ Result<GLuint> Compile(GLenum stage, std::string_view source, std::string_view l
   const std::string log = LogOf(shader, false);
   glDeleteShader(shader);
   const int line = LineOfLog(log);
-  std::string message = fmt::format("{}: the driver refuses the {} shader:\n{}", label,
-                                    stage == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
+  std::string message = fmt::format("{}: the driver refuses the {} shader:\n{}", label, StageName(stage), log);
   if (line > 0) message += fmt::format("\n{:5} | {}", line, SourceLine(source, line));
   return Fail(ErrorKind::kFailed, std::move(message));
 }
@@ -89,8 +96,7 @@ bool IsLinked(GLuint program) {
   return linked == GL_TRUE;
 }
 
-Result<void> CompileAndLink(GLuint program, std::string_view vertex, std::string_view fragment,
-                            std::string_view label) {
+Result<void> CompileAndLink(GLuint program, const ProgramText& text, std::string_view label) {
   std::vector<GLuint> shaders;
   const auto release = [&] {
     for (const GLuint shader : shaders) {
@@ -98,8 +104,9 @@ Result<void> CompileAndLink(GLuint program, std::string_view vertex, std::string
       glDeleteShader(shader);
     }
   };
-  for (const GLenum stage : {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}) {
-    const std::string_view source = stage == GL_VERTEX_SHADER ? vertex : fragment;
+  for (const auto& [stage, source] : {std::pair<GLenum, std::string_view>(GL_VERTEX_SHADER, text.vertex),
+                                      std::pair<GLenum, std::string_view>(GL_GEOMETRY_SHADER, text.geometry),
+                                      std::pair<GLenum, std::string_view>(GL_FRAGMENT_SHADER, text.fragment)}) {
     if (source.empty()) continue;
     const Result<GLuint> shader = Compile(stage, source, label);
     if (!shader) {
@@ -145,14 +152,14 @@ void StoreBinary(GLuint program, const ProgramCache& cache, std::string_view key
 
 }  // namespace
 
-Result<Program> Program::Create(std::string_view vertex, std::string_view fragment, std::string_view label) {
+Result<Program> Program::Create(const ProgramText& text, std::string_view label) {
   AssertContextThread();
   Program program;
   program.handle_ = ProgramHandle(glCreateProgram());
   const ProgramCache cache = ProgramCache::Default();
-  const std::string key = cache.enabled() ? CacheKey(vertex, fragment) : std::string();
+  const std::string key = cache.enabled() ? CacheKey(text) : std::string();
   if (!cache.enabled() || !LoadBinary(program.id(), cache, key)) {
-    const Result<void> linked = CompileAndLink(program.id(), vertex, fragment, label);
+    const Result<void> linked = CompileAndLink(program.id(), text, label);
     if (!linked) return std::unexpected(linked.error());
     if (cache.enabled()) StoreBinary(program.id(), cache, key);
   }

@@ -10,16 +10,26 @@
 
 namespace burin::gl {
 
-/// A linked vertex + fragment program. Linked binaries are kept in $XDG_CACHE_HOME/burin/programs (or ~/.cache), keyed
-/// by a hash of both texts and the driver's identity; a stale or damaged entry is compiled anew. BURIN_NO_CACHE=1 turns
-/// it off.
+/// The texts of a program's stages; an empty one is left out.
+struct ProgramText {
+  std::string_view vertex;
+  std::string_view geometry;
+  std::string_view fragment;  ///< empty: depth and stencil only
+};
+
+/// A linked vertex (+ geometry) + fragment program. Linked binaries are kept in $XDG_CACHE_HOME/burin/programs (or
+/// ~/.cache), keyed by a hash of the texts and the driver's identity; a stale or damaged entry is compiled anew.
+/// BURIN_NO_CACHE=1 turns it off.
 class Program {
  public:
   Program() = default;
-  /// `fragment` may be empty (depth and stencil only). Errors: kFailed with the driver's log and the numbered source
-  /// line it names: a bug of ours, since the front end has checked the effect.
+  /// Errors: kFailed with the driver's log and the numbered source line it names: a bug of ours, since the front end
+  /// has checked the effect.
+  [[nodiscard]] static Result<Program> Create(const ProgramText& text, std::string_view label);
   [[nodiscard]] static Result<Program> Create(std::string_view vertex, std::string_view fragment,
-                                              std::string_view label);
+                                              std::string_view label) {
+    return Create({vertex, {}, fragment}, label);
+  }
 
   [[nodiscard]] std::uint32_t id() const { return handle_.id(); }
   /// -1 when the program does not use it. Cached.

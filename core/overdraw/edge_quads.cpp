@@ -10,8 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <optional>
+
+#include "core/overdraw/screen_projection.h"
 
 namespace burin::overdraw {
 namespace {
@@ -21,34 +22,8 @@ constexpr float kSlopeReach = 1.5f;      // pixels from the edge to the centres 
 constexpr float kRelativeSlack = 4e-6f;  // of the rasterizer's interpolation
 constexpr float kLargestSlope = 0.25f;   // of what the slope may add, as a share of the depth
 
-/// A point in the picture: pixels and reversed window depth.
-struct ScreenPoint {
-  float x, y, z;
-};
-
 struct ScreenSegment {
   ScreenPoint a, b;
-};
-
-class Projection {
- public:
-  explicit Projection(const QuadOptions& options)
-      : clip_(options.clip_from_world),
-        half_width_(0.5f * static_cast<float>(options.width)),
-        half_height_(0.5f * static_cast<float>(options.height)) {}
-
-  [[nodiscard]] glm::vec4 Clip(const glm::vec3& world) const { return clip_ * glm::vec4(world, 1.0f); }
-  [[nodiscard]] ScreenPoint Screen(const glm::vec4& clip) const {
-    const float scale = 1.0f / clip.w;
-    return {(clip.x * scale + 1.0f) * half_width_, (1.0f - clip.y * scale) * half_height_, clip.z * scale};
-  }
-  [[nodiscard]] glm::vec2 ClipOfPixel(float x, float y) const {
-    return {x / half_width_ - 1.0f, 1.0f - y / half_height_};
-  }
-
- private:
-  glm::mat4 clip_;
-  float half_width_, half_height_;
 };
 
 /// What is in front of the near plane (reversed depth: z <= w).
@@ -91,20 +66,6 @@ bool CutAtBorder(ScreenSegment& s, float width, float height, float margin) {
   return std::isfinite(s.a.x + s.a.y + s.a.z + s.b.x + s.b.y + s.b.z);
 }
 
-/// |dz/dx| + |dz/dy| of a face in the picture; infinite where it is seen edge on or reaches behind the eye.
-float Slope(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const Projection& projection) {
-  constexpr float kNone = std::numeric_limits<float>::infinity();
-  if (!(a.w > 0.0f) || !(b.w > 0.0f) || !(c.w > 0.0f)) return kNone;
-  const ScreenPoint p = projection.Screen(a);
-  const ScreenPoint q = projection.Screen(b);
-  const ScreenPoint r = projection.Screen(c);
-  const float ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
-  const float vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
-  const float area = ux * vy - uy * vx;
-  const float slope = (std::abs(uz * vy - uy * vz) + std::abs(ux * vz - uz * vx)) / std::abs(area);
-  return std::isfinite(slope) ? slope : kNone;
-}
-
 /// True when `corner` lies on the side of (-d.y, d.x) of a to b in the picture, whatever is behind the eye.
 bool IsOnPositiveSide(const glm::vec4& a, const glm::vec4& b, const glm::vec4& corner) {
   const auto row = [](const glm::vec4& v) { return glm::dvec3(v.x, -v.y, v.w); };
@@ -116,8 +77,8 @@ float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, boo
             const Projection& projection) {
   float slope = 0.0f;
   if (!is_outline) {
-    slope = std::min(Slope(a, b, projection.Clip(edge.left_corner), projection),
-                     Slope(a, b, projection.Clip(edge.right_corner), projection));
+    slope = std::min(projection.Slope(a, b, projection.Clip(edge.left_corner)),
+                     projection.Slope(a, b, projection.Clip(edge.right_corner)));
   }
   return depth * kRelativeSlack + std::min(kSlopeReach * slope, kLargestSlope * depth);
 }
@@ -163,7 +124,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
 
 void BuildEdgeQuads(std::span<const EdgeSegment> segments, const QuadOptions& options,
                     std::vector<EdgeVertex>& vertices) {
-  const Projection projection(options);
+  const Projection projection(options.clip_from_world, options.width, options.height);
   vertices.resize(4 * segments.size());
   std::vector<std::uint8_t> is_seen(segments.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments.size(), kGrain),

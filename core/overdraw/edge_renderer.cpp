@@ -2,6 +2,7 @@
 #include "core/overdraw/edge_renderer.h"
 
 #include "core/gbuffer/frame_blocks.h"
+#include "core/overdraw/edge_lines.h"
 #include "core/overdraw/edge_quad_buffer.h"
 #include "core/overdraw/resolve_pass.h"
 #include "core/overdraw/scene_edges.h"
@@ -15,11 +16,17 @@ class Renderer final : public EdgeRenderer {
 
   void BeginFrame() override { frame_ = nullptr; }
   std::vector<std::string> TakeNotes() override { return edges_.TakeNotes(); }
-  [[nodiscard]] bool antialiases() const override { return mode_ != EdgeMode::kOff; }
+  [[nodiscard]] bool antialiases() const override { return mode_ == EdgeMode::kResolve; }
+  [[nodiscard]] bool draws_lines() const override { return mode_ == EdgeMode::kUnsorted || mode_ == EdgeMode::kSorted; }
+
+  Result<std::span<const gbuffer::ShadedLine>> Lines(const gbuffer::FrameInput& frame, int width, int height) override {
+    if (auto found = FindEdges(frame); !found) return std::unexpected(found.error());
+    BuildShadedLines(frame_->segments, gbuffer::ClipFromWorld(frame.view), width, height, lines_);
+    return std::span<const gbuffer::ShadedLine>(lines_);
+  }
 
   Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color,
                          const gl::Texture& depth) override {
-    if (mode_ != EdgeMode::kResolve) return {};
     if (auto built = BuildQuads(frame, depth, 0.0f); !built) return built;
     const gbuffer::Storage storage{color.attribute, color.target->format(), color.encoding};
     return resolve_.Draw(*color.target, storage, depth, quads_);
@@ -30,13 +37,17 @@ class Renderer final : public EdgeRenderer {
   }
 
  private:
+  Result<void> FindEdges(const gbuffer::FrameInput& frame) {
+    if (frame_ != nullptr) return {};
+    Result<const FrameEdges*> found = edges_.Extract(frame.items, frame.view);
+    if (!found) return std::unexpected(found.error());
+    frame_ = *found;
+    return {};
+  }
+
   /// The frame's edges, in quads for a picture of the size of `depth`.
   Result<void> BuildQuads(const gbuffer::FrameInput& frame, const gl::Texture& depth, float reach) {
-    if (frame_ == nullptr) {
-      Result<const FrameEdges*> found = edges_.Extract(frame.items, frame.view);
-      if (!found) return std::unexpected(found.error());
-      frame_ = *found;
-    }
+    if (auto found = FindEdges(frame); !found) return found;
     QuadOptions options;
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
@@ -51,6 +62,7 @@ class Renderer final : public EdgeRenderer {
   SceneEdges edges_;
   const FrameEdges* frame_ = nullptr;
   std::vector<EdgeVertex> vertices_;
+  std::vector<gbuffer::ShadedLine> lines_;
   EdgeQuadBuffer quads_;
   ResolvePass resolve_;
 };

@@ -19,7 +19,9 @@ struct EdgeSegment {
   std::uint32_t left_item = 0, right_item = 0;
   std::array<std::uint32_t, 2> left_vertices{}, right_vertices{};
   EdgeClass edge_class = EdgeClass::kSilhouette;
-  float beta = 0.0f;       ///< 0: the left face's shading alone ... 1: the right one's
+  float beta = 0.0f;          ///< 0: the left face's shading alone ... 1: the right one's
+  bool is_left_front = true;  ///< the face looks towards the eye
+  bool is_right_front = true;
   bool shows_left = true;  ///< the face is on the screen, unless something hides it
   bool shows_right = true;
 };

@@ -170,6 +170,8 @@ void SceneEdges::Append(const Object& object, Items items, std::uint32_t first_i
     }
     segment.edge_class = rendered.cls;
     segment.beta = rendered.beta;
+    segment.is_left_front = rendered.is_front_left;
+    segment.is_right_front = rendered.is_front_right;
     segment.shows_left = rendered.is_front_left || mesh.ShowsBack(edge.left);
     segment.shows_right = has_right && (rendered.is_front_right || mesh.ShowsBack(edge.right));
     frame_.segments.push_back(segment);

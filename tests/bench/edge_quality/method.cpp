@@ -45,6 +45,8 @@ std::vector<Method> Methods(const glm::vec4& background) {
   methods.push_back({.name = "4x4", .options = options(16)});
   // Visibility as four hardware samples see it; shading is taken at each of them too, which real MSAA does once.
   methods.push_back({.name = "4x MSAA", .options = options(1), .offsets = FourSamplePositions(), .is_timed = false});
+  methods.push_back({.name = "unsorted", .options = options(1, overdraw::EdgeMode::kUnsorted)});
+  methods.push_back({.name = "sorted", .options = options(1, overdraw::EdgeMode::kSorted)});
   methods.push_back({.name = "resolve", .options = options(1, overdraw::EdgeMode::kResolve)});
   return methods;
 }
