@@ -231,11 +231,48 @@ TEST(Silhouettes, TreeMissesNothingOnAFineMesh) {
   const EdgeMesh mesh = Build(torus);
   for (const glm::vec4& eye : Eyes(torus, random)) {
     const glm::vec4 local = mesh.planes.LocalEye(eye);
-    std::vector<std::uint32_t> tree, scan;
+    std::vector<std::uint32_t> tree, scan, parallel;
     mesh.tree.Find(local, HasAvx2(), tree);
     ScanSilhouettes(mesh.planes, mesh.silhouettes, local, {}, scan);
+    ScanSilhouettes(mesh.planes, mesh.silhouettes, local, {.is_parallel = true}, parallel);
     ASSERT_EQ(tree, scan);
+    ASSERT_EQ(parallel, scan);
   }
+}
+
+/// A flat sheet's faces have one plane but for roundings, so its edges are silhouettes at random for an eye in it; in
+/// the middle of a leaf's edges, where its cones begin, nothing but the margin keeps the tree from skipping them.
+TEST(Silhouettes, TreeMissesNothingWhereConesBegin) {
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  constexpr std::uint32_t kSide = 80;
+  TriangleMesh sheet;
+  const glm::vec3 u = glm::normalize(glm::vec3(1, 0.7f, -0.3f)), v = glm::normalize(glm::vec3(0.2f, -1, 0.8f));
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+    sheet.positions.push_back(static_cast<float>(i % kSide) * 0.017f * u + static_cast<float>(i / kSide) * 0.013f * v);
+  for (std::uint32_t i = 0; i + kSide < kSide * kSide; ++i) {
+    if (i % kSide == kSide - 1) continue;
+    sheet.triangles.insert(sheet.triangles.end(), {i, i + 1, i + kSide, i + 1, i + kSide + 1, i + kSide});
+  }
+  const EdgeMesh mesh = Build(sheet);
+  std::size_t found = 0;
+  for (std::size_t first = 0; first < mesh.silhouettes.size(); first += SilhouetteTree::kLeafEdges) {
+    const std::size_t end = std::min(first + SilhouetteTree::kLeafEdges, mesh.silhouettes.size());
+    glm::vec3 middle(0);
+    for (std::size_t i = first; i < end; ++i)
+      middle += mesh.Midpoint(mesh.edges[mesh.silhouettes.edge[i]]) - mesh.planes.origin;
+    middle /= static_cast<float>(end - first);
+    for (int offset = 0; offset < 8; ++offset) {
+      const auto moved = [&](float x) { return x + 3e-8f * (static_cast<float>(random() % 5) - 2.0f); };
+      const glm::vec4 local(moved(middle.x), moved(middle.y), moved(middle.z), 1);
+      std::vector<std::uint32_t> tree, scan;
+      mesh.tree.Find(local, HasAvx2(), tree);
+      ScanSilhouettes(mesh.planes, mesh.silhouettes, local, {}, scan);
+      ASSERT_EQ(tree, scan);
+      found += scan.size();
+    }
+  }
+  EXPECT_GT(found, 10'000u);
 }
 
 TEST(Silhouettes, RenderedAreSilhouettesAndSharpEdgesWithAFrontFace) {

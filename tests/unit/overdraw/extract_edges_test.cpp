@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <limits>
 
 #include "tests/support/triangle_mesh.h"
@@ -141,14 +142,18 @@ TEST_F(Ridge, ValleySilhouetteTakesTheBackFaceWhereItShows) {
 TEST_F(Ridge, BlendsByWorldAnglesUnderNonUniformScale) {
   Build();
   const float to_right = mesh_.planes.Normal(mesh_.edges[ridge_].right).x > 0 ? 1.0f : -1.0f;
-  // World: x three times as wide, so normals lean by atan(1/3). The eye is in object space.
-  EdgeView view{.eye = {to_right * 2.0f, 0.5f, 9.0f, 1}, .normal_matrix = glm::mat3(1), .tau = 0.0f};
-  view.normal_matrix[0][0] = 1.0f / 3.0f;
-  const glm::dvec2 v(3 * 2.0, 9.0);
-  const glm::dvec2 right = glm::normalize(glm::dvec2(1, 3)), left = glm::normalize(glm::dvec2(-1, 3));
-  const double r = glm::dot(v, right), l = glm::dot(v, left);
+  // World: three times as long along (1, 0, 1), which is across one face and in the other. The eye is in object space.
+  const glm::dvec3 along = glm::normalize(glm::dvec3(1, 0, 1));
+  const glm::dmat3 world = glm::dmat3(1) + 2.0 * glm::outerProduct(along, along);
+  const glm::dmat3 normals = glm::transpose(glm::inverse(world));
+  const EdgeView view{.eye = {to_right * 2.0f, 0.5f, 9.0f, 1}, .normal_matrix = glm::mat3(normals), .tau = 0.0f};
+  const glm::dvec3 v = world * glm::dvec3(to_right * 2.0, 0, 9);
+  const auto cosine = [&](std::uint32_t face) {
+    return glm::dot(v, glm::normalize(normals * glm::dvec3(mesh_.planes.Normal(face))));
+  };
+  const double l = cosine(mesh_.edges[ridge_].left), r = cosine(mesh_.edges[ridge_].right);
   EXPECT_NEAR(Drawn(view)->beta, r / (l + r), 1e-5);
-  EXPECT_NEAR(Drawn(view)->distance2, 36.0 + 81.0, 1e-3) << "world distance to the midpoint";
+  EXPECT_NEAR(Drawn(view)->distance2, glm::dot(v, v), 1e-3) << "world distance to the midpoint";
 }
 
 TEST_F(Ridge, MirroredTransformShowsTheSameFaces) {
