@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +20,7 @@
 namespace burin::overdraw {
 
 /// Below this many edges in the search a scan is over in 10 microseconds and a tree saves nothing worth its building.
-/// A tree takes as long to build as 400 scans; for fewer views, set EdgeMeshOptions::least_tree_edges to kNoTree.
+/// A tree pays for its building after some 300 views; for fewer, set EdgeMeshOptions::least_tree_edges to kNoTree.
 inline constexpr std::size_t kLeastTreeEdges = 6'000;
 inline constexpr std::size_t kNoTree = static_cast<std::size_t>(-1);
 
