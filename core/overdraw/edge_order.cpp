@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A k-d partition of the six-dimensional points (position, normal): a range is cut across its widest extent, at the
-// largest power of two of leaves below its size, so that all subtrees but the last are full.
+// A binary partition: a range is cut across its principal axis (the direction of largest variance), at the largest
+// power of two of leaves below its size, so that all subtrees but the last are full.
 #include "core/overdraw/edge_order.h"
 
 #include <tbb/blocked_range.h>
@@ -8,46 +8,59 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 
 namespace burin::overdraw {
 namespace {
 
-/// Turning normals open a cluster from far and near, places only from near, so a length counts for less than the same
-/// difference of normals; measured best between 0.1 and 1 on subdivided models.
-constexpr float kPositionWeight = 0.3f;
 constexpr std::size_t kSerialItems = 16384;
+/// Enough points for the axis of a large range, whose exact direction matters less.
+constexpr std::size_t kSampledItems = 4096;
 
 struct Item {
-  std::array<float, 6> key;
+  glm::vec4 point;
+  float along;  ///< the axis of the present cut
   std::uint32_t index;
 };
 
-std::size_t WidestAxis(std::span<const Item> items) {
-  std::array<float, 6> low = items[0].key, high = items[0].key;
-  for (const Item& item : items) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      low[k] = std::min(low[k], item.key[k]);
-      high[k] = std::max(high[k], item.key[k]);
-    }
+/// By power iteration on the covariance, begun from its largest column.
+glm::vec4 PrincipalAxis(std::span<const Item> items) {
+  constexpr int kIterations = 8;
+  const std::size_t step = (items.size() + kSampledItems - 1) / kSampledItems;
+  const glm::vec4 about = items[0].point;
+  glm::vec4 mean(0);
+  glm::mat4 squares(0);
+  float count = 0;
+  for (std::size_t i = 0; i < items.size(); i += step, ++count) {
+    const glm::vec4 p = items[i].point - about;
+    mean += p;
+    for (int k = 0; k < 4; ++k) squares[k] += p[k] * p;
   }
-  std::size_t widest = 0;
-  for (std::size_t k = 1; k < 6; ++k) {
-    if (high[k] - low[k] > high[widest] - low[widest]) widest = k;
+  for (int k = 0; k < 4; ++k) squares[k] -= mean[k] / count * mean;
+  int largest = 0;
+  for (int k = 1; k < 4; ++k) {
+    if (squares[k][k] > squares[largest][largest]) largest = k;
   }
-  return widest;
+  glm::vec4 axis = squares[largest];
+  for (int i = 0; i < kIterations; ++i) {
+    const float length = glm::length(axis);
+    if (!(length > 0.0f)) return {1, 0, 0, 0};
+    axis = squares * (axis / length);
+  }
+  return axis;
 }
 
 void Partition(std::span<Item> items, std::size_t leaf) {
   if (items.size() <= leaf) return;
   const std::size_t leaves = (items.size() + leaf - 1) / leaf;
   const std::size_t cut = std::bit_ceil(leaves) / 2 * leaf;
-  const std::size_t axis = WidestAxis(items);
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(cut), items.end(),
-                   [axis](const Item& a, const Item& b) {
-                     return a.key[axis] != b.key[axis] ? a.key[axis] < b.key[axis] : a.index < b.index;
-                   });
+  const glm::vec4 axis = PrincipalAxis(items);
+  for (Item& item : items) item.along = glm::dot(item.point, axis);
+  std::nth_element(
+      items.begin(), items.begin() + static_cast<std::ptrdiff_t>(cut), items.end(),
+      [](const Item& a, const Item& b) { return a.along != b.along ? a.along < b.along : a.index < b.index; });
   const std::span<Item> low = items.first(cut), high = items.subspan(cut);
   if (items.size() <= kSerialItems) {
     Partition(low, leaf);
@@ -59,16 +72,9 @@ void Partition(std::span<Item> items, std::size_t leaf) {
 
 }  // namespace
 
-std::vector<std::uint32_t> ClusterOrder(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                                        std::size_t leaf) {
-  std::vector<Item> items(positions.size());
-  const auto all = tbb::blocked_range<std::size_t>(0, items.size(), kSerialItems);
-  tbb::parallel_for(all, [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const glm::vec3 p = positions[i] * kPositionWeight, n = normals[i];
-      items[i] = {{p.x, p.y, p.z, n.x, n.y, n.z}, static_cast<std::uint32_t>(i)};
-    }
-  });
+std::vector<std::uint32_t> ClusterOrder(std::span<const glm::vec4> points, std::size_t leaf) {
+  std::vector<Item> items(points.size());
+  for (std::size_t i = 0; i < items.size(); ++i) items[i] = {points[i], 0.0f, static_cast<std::uint32_t>(i)};
   Partition(items, leaf);
   std::vector<std::uint32_t> order(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].index;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <span>
 
 #include "core/overdraw/concavity.h"
 #include "core/overdraw/silhouette_scan.h"
@@ -21,18 +22,21 @@ namespace {
 /// Footnote 1: sharp edges with beta outside these are near the silhouette and may hide others.
 constexpr float kNearLeft = 0.1f, kNearRight = 0.9f;
 /// Scans of fewer edges are over before a second thread has woken up.
-constexpr std::size_t kParallelEdges = 200'000;
+constexpr std::size_t kParallelScan = 200'000;
 
 class Extractor {
  public:
   Extractor(const EdgeMesh& mesh, const EdgeView& view);
 
-  /// Fills all but distance and order; false: not on screen.
-  [[nodiscard]] bool Describe(std::uint32_t edge, RenderedEdge& rendered) const;
-  [[nodiscard]] float Distance2(const geometry::Edge& edge) const;
+  /// Appends those of `indices` that are on screen, in their order. One thread: tasks with lists of their own took 1.5
+  /// times as long on two (82 000 sharp edges, 1.9 ms).
+  void DescribeAll(std::span<const std::uint32_t> indices, std::vector<RenderedEdge>& edges) const;
   [[nodiscard]] const glm::vec4& local_eye() const { return local_eye_; }
 
  private:
+  /// False: not on screen.
+  [[nodiscard]] bool Describe(std::uint32_t index, RenderedEdge& rendered) const;
+  [[nodiscard]] float Distance2(const geometry::Edge& edge) const;
   [[nodiscard]] float FaceDot(std::uint32_t face) const {
     return face == geometry::kNoFace ? 0.0f : FacingValue(mesh_.planes.Plane(face), local_eye_);
   }
@@ -110,6 +114,7 @@ bool Extractor::Describe(std::uint32_t index, RenderedEdge& rendered) const {
     rendered.beta = both_show ? Mapped(beta) : beta;
     rendered.is_sorted = beta < kNearLeft || beta > kNearRight;
   }
+  rendered.is_sorted = rendered.is_sorted && view_.sorted;
   rendered.distance2 = Distance2(edge);
   return true;
 }
@@ -128,6 +133,13 @@ float Extractor::Distance2(const geometry::Edge& edge) const {
   return std::isnan(distance2) ? 0.0f : distance2;
 }
 
+void Extractor::DescribeAll(std::span<const std::uint32_t> indices, std::vector<RenderedEdge>& edges) const {
+  RenderedEdge rendered;
+  for (const std::uint32_t index : indices) {
+    if (Describe(index, rendered)) edges.push_back(rendered);
+  }
+}
+
 /// Edges that can't hide others first, in the order they have; then the others from far to near.
 void Sort(std::vector<RenderedEdge>& edges) {
   const auto middle =
@@ -137,19 +149,26 @@ void Sort(std::vector<RenderedEdge>& edges) {
   });
 }
 
-void FindSilhouettes(const EdgeMesh& mesh, const glm::vec4& local_eye, const ExtractOptions& options,
-                     std::vector<std::uint32_t>& found, EdgeStatistics& statistics) {
+/// Smooth edges with one front and one back face that can be seen.
+std::vector<std::uint32_t> FindSilhouettes(const EdgeMesh& mesh, const glm::vec4& local_eye,
+                                           const ExtractOptions& options, EdgeStatistics& statistics) {
   const bool uses_avx2 = options.uses_avx2 && HasAvx2();
   const bool uses_tree = !mesh.tree.empty() && options.way.value_or(SilhouetteWay::kTree) == SilhouetteWay::kTree;
   statistics.way = uses_tree ? SilhouetteWay::kTree : SilhouetteWay::kScan;
   statistics.searched = statistics.visited = mesh.silhouettes.size();
+  std::vector<std::uint32_t> found;
   if (uses_tree) {
     statistics.visited = mesh.tree.Find(local_eye, uses_avx2, found);
   } else {
-    const bool is_parallel = options.is_parallel && mesh.silhouettes.size() >= kParallelEdges;
+    const bool is_parallel = options.is_parallel && mesh.silhouettes.size() >= kParallelScan;
     ScanSilhouettes(mesh.planes, mesh.silhouettes, local_eye, {uses_avx2, is_parallel}, found);
   }
   statistics.found = found.size();
+  for (std::uint32_t& index : found) index = mesh.silhouettes.edge[index];
+  // A moving mesh's search holds concave edges too; of closed surfaces they are hidden.
+  if (mesh.is_deformed)
+    std::erase_if(found, [&](std::uint32_t e) { return mesh.is_open[e] == 0 && IsConcave(mesh, mesh.edges[e]); });
+  return found;
 }
 
 }  // namespace
@@ -179,27 +198,16 @@ void ExtractEdges(const EdgeMesh& mesh, const EdgeView& view, std::vector<Render
   statistics.sharp = mesh.sharp.size();
   statistics.boundaries = mesh.boundaries.size();
   const Extractor extractor(mesh, view);
-  const auto add = [&](std::uint32_t edge) {
-    RenderedEdge rendered;
-    if (!extractor.Describe(edge, rendered)) return;
-    rendered.is_sorted = rendered.is_sorted && view.sorted;
-    statistics.sorted += rendered.is_sorted;
-    statistics.blended += rendered.beta > 0.0f && rendered.beta < 1.0f;
-    edges.push_back(rendered);
-  };
-  for (const std::uint32_t edge : mesh.sharp) add(edge);
+  extractor.DescribeAll(mesh.sharp, edges);
   const std::size_t sharp_rendered = edges.size();
-  for (const std::uint32_t edge : mesh.boundaries) add(edge);
-  std::vector<std::uint32_t> found;
-  FindSilhouettes(mesh, extractor.local_eye(), options, found, statistics);
-  for (const std::uint32_t index : found) {
-    const std::uint32_t edge = mesh.silhouettes.edge[index];
-    // A moving mesh's search holds concave edges too; of closed surfaces they are hidden.
-    if (mesh.is_deformed && mesh.is_open[edge] == 0 && IsConcave(mesh, mesh.edges[edge])) continue;
-    add(edge);
-  }
+  extractor.DescribeAll(mesh.boundaries, edges);
+  extractor.DescribeAll(FindSilhouettes(mesh, extractor.local_eye(), options, statistics), edges);
   statistics.rendered = edges.size();
   statistics.silhouettes = edges.size() - sharp_rendered;
+  for (const RenderedEdge& edge : edges) {
+    statistics.sorted += edge.is_sorted;
+    statistics.blended += edge.beta > 0.0f && edge.beta < 1.0f;
+  }
   if (view.sorted) Sort(edges);
 }
 

@@ -47,9 +47,9 @@ struct EdgeStatistics {
 };
 
 struct ExtractOptions {
-  std::optional<SilhouetteWay> way;  ///< empty: the tree if the mesh has one
-  bool uses_avx2 = true;             ///< where the processor has it
-  bool is_parallel = true;           ///< scans of large meshes use TBB's threads; the result is the same
+  std::optional<SilhouetteWay> way{};  ///< empty: the tree if the mesh has one
+  bool uses_avx2 = true;               ///< where the processor has it
+  bool is_parallel = true;             ///< scans of large meshes use TBB's threads; the result is the same
 };
 
 /// The discontinuity edges of one object that can show in a view: `edges` is overwritten. Order: sharp edges path by

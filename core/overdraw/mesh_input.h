@@ -23,8 +23,8 @@ struct MeshInput {
   std::array<std::span<const glm::vec2>, 2> texcoords{};
   std::span<const std::uint32_t> triangles{};  ///< three vertex indices a triangle, counterclockwise from the front
   std::span<const int> face_materials{};       ///< empty (one material) or one a triangle
-  std::span<const std::uint8_t>
-      face_double_sided;  ///< empty (none is) or one a triangle, nonzero: drawn from behind too
+  /// Empty (none is) or one a triangle, nonzero: drawn from behind too.
+  std::span<const std::uint8_t> face_double_sided{};
 };
 
 /// kInput, naming the mesh, when an array has the wrong length, an index has no vertex, a position is no finite number

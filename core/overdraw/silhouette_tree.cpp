@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search. Its node test is conservative against rounding, so that its result is the scan's, edge for edge:
-// let x = eye - anchor, f = dot(axis, x) - cosine * |x|. Then eye - f/2 * axis is in the cone too, hence the eye is at
-// least f/2 * sine in front of every plane (sine >= kLeastSine is the least dot(normal, axis)). A leaf's facing value
-// is off by no more than 7 roundings of sqrt(3) |eye| + radius, that is 1e-6 (|eye| + radius) with room; so f must
-// exceed 2e-6 (|eye| + radius) / kLeastSine, and f's own roundings, 10 of |eye| + kFarthestAnchor * radius.
+// The search. Its node test is conservative against rounding, so that its result is the scan's, edge for edge. With
+// u = 2^-24, x = eye - anchor, f = dot(axis, x) - cosine |x| and S = |eye| + radius (eye.w = 1):
+// - eye - f / (1 + cosine) axis is still in the cone, so the eye is at least f sine / (1 + cosine) in front of every
+//   plane, sine being the least dot(normal, axis); the nodes hold axis and cosine times that factor, 1 at most.
+// - A leaf's facing value is off by at most 4 u S (four products, three sums, |normal| = 1, |offset| <= radius), a
+//   rounded anchor moves every plane by 4 u radius, and f's roundings are 12 u |x|, |x| <= |eye| + 2 radius.
+// All of it is below 32 u S = 1.9e-6 S. With eye.w = 0 the anchors and the radius drop out.
 #include "core/overdraw/silhouette_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -20,7 +23,7 @@
 namespace burin::overdraw {
 namespace {
 
-constexpr float kMargin = 2e-6f / SilhouetteCone::kLeastSine + 10 * 6e-8f * SilhouetteCone::kFarthestAnchor;
+constexpr float kMargin = 2.5e-6f;
 
 float MarginFor(const glm::vec4& eye, float radius) {
   return kMargin * (std::sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z) + radius * eye.w);
@@ -29,7 +32,7 @@ float MarginFor(const glm::vec4& eye, float radius) {
 }  // namespace
 
 /// One bit a child that may have silhouettes.
-std::uint32_t SilhouetteTree::OpenChildren(const Node& node, const glm::vec4& eye, float margin) const {
+std::uint32_t SilhouetteTree::OpenChildren(const Node& node, const glm::vec4& eye, float margin) {
   std::uint32_t open = 0;
   for (std::size_t c = 0; c < kChildren; ++c) {
     const auto inside = [&](const float(&anchor)[3][kChildren], float sign) {
@@ -87,7 +90,7 @@ BURIN_AVX2 inline __m256 Front8(const float (&planes)[4][SilhouetteTree::kLeafEd
 
 }  // namespace
 
-BURIN_AVX2 std::uint32_t SilhouetteTree::OpenChildrenAvx2(const Node& node, const glm::vec4& eye, float margin) const {
+BURIN_AVX2 std::uint32_t SilhouetteTree::OpenChildrenAvx2(const Node& node, const glm::vec4& eye, float margin) {
   const __m256 axis[3] = {_mm256_loadu_ps(node.axis[0]), _mm256_loadu_ps(node.axis[1]), _mm256_loadu_ps(node.axis[2])};
   const __m256 flip = _mm256_set1_ps(-0.0f);
   const __m256 against[3] = {_mm256_xor_ps(axis[0], flip), _mm256_xor_ps(axis[1], flip), _mm256_xor_ps(axis[2], flip)};
@@ -111,11 +114,11 @@ BURIN_AVX2 void SilhouetteTree::SearchLeafAvx2(const Leaf& leaf, const glm::vec4
 
 std::size_t SilhouetteTree::Find(const glm::vec4& local_eye, bool uses_avx2, std::vector<std::uint32_t>& found) const {
   if (empty()) return 0;
-  auto open_children = &SilhouetteTree::OpenChildren;
+  auto open_children = OpenChildren;
   auto search_leaf = SearchLeaf;
 #if defined(__x86_64__)
   if (uses_avx2) {
-    open_children = &SilhouetteTree::OpenChildrenAvx2;
+    open_children = OpenChildrenAvx2;
     search_leaf = SearchLeafAvx2;
   }
 #endif
@@ -130,7 +133,7 @@ std::size_t SilhouetteTree::Find(const glm::vec4& local_eye, bool uses_avx2, std
   while (depth > 0) {
     const auto [level, node] = stack[--depth];
     const std::size_t children = (level == 0 ? leaves_.size() : levels_[level - 1].size()) - node * kChildren;
-    std::uint32_t open = (this->*open_children)(levels_[level][node], local_eye, margin);
+    std::uint32_t open = open_children(levels_[level][node], local_eye, margin);
     if (children < kChildren) open &= (1u << children) - 1;
     if (level > 0) {
       // Pushed from the last, so that the first comes next: edges are found in ascending order.

@@ -17,15 +17,15 @@ namespace burin::overdraw {
 /// their faces look towards it, or all away from it (Sander et al., Silhouette Clipping, 2000, section 3: anchored
 /// cones). Finds exactly the edges that ScanSilhouettes finds, in the same order.
 ///
-/// Leaves are 64 edges with the planes of both their faces, eight of which are tested at once; eight leaves make a
+/// Leaves are 32 edges with the planes of both their faces, eight of which are tested at once; eight leaves make a
 /// node, eight nodes the next, and so on, so children are known by their number and no pointers are kept.
 class SilhouetteTree {
  public:
-  static constexpr std::size_t kLeafEdges = 64;
+  static constexpr std::size_t kLeafEdges = 32;
   static constexpr std::size_t kChildren = 8;
 
-  /// Puts `edges` into the order of the leaves, so that near edges with like normals are together, and builds the tree
-  /// over them in O(n log n), in parallel, the same for any number of threads.
+  /// Puts `edges` into the order of the leaves, so that edges with like planes are together, and builds the tree over
+  /// them in O(n log n), in parallel, the same for any number of threads.
   /// `midpoints`: of each of `edges`, object space. None of the faces may be degenerate.
   [[nodiscard]] static SilhouetteTree Build(const FacePlanes& planes, std::span<const glm::vec3> midpoints,
                                             SilhouetteEdges& edges);
@@ -47,14 +47,14 @@ class SilhouetteTree {
   /// For each of eight children two cones of eyes, with one axis and angle: from the front anchor along the axis, where
   /// all faces are front; from the back anchor against the axis, where all are back.
   struct Node {
-    float axis[3][kChildren];
-    float cosine[kChildren];  ///< of half the opening angle; kNever where there is no such cone
+    float axis[3][kChildren];  ///< times SilhouetteCone::Depth(), as is the cosine
+    float cosine[kChildren];   ///< of half the opening angle; kNever where there is no such cone
     float front[3][kChildren];
     float back[3][kChildren];
   };
 
-  [[nodiscard]] std::uint32_t OpenChildren(const Node& node, const glm::vec4& eye, float margin) const;
-  [[nodiscard]] std::uint32_t OpenChildrenAvx2(const Node& node, const glm::vec4& eye, float margin) const;
+  [[nodiscard]] static std::uint32_t OpenChildren(const Node& node, const glm::vec4& eye, float margin);
+  [[nodiscard]] static std::uint32_t OpenChildrenAvx2(const Node& node, const glm::vec4& eye, float margin);
   static void SearchLeaf(const Leaf& leaf, const glm::vec4& eye, std::uint32_t first,
                          std::vector<std::uint32_t>& found);
   static void SearchLeafAvx2(const Leaf& leaf, const glm::vec4& eye, std::uint32_t first,

@@ -21,8 +21,8 @@ namespace burin::test {
 
 struct TriangleMesh {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;    ///< empty or one a position
-  std::vector<glm::vec2> texcoords;  ///< empty or one a position
+  std::vector<glm::vec3> normals{};    ///< empty or one a position
+  std::vector<glm::vec2> texcoords{};  ///< empty or one a position
   std::vector<std::uint32_t> triangles;
 };
 
