@@ -168,7 +168,7 @@ def run(options):
     command = [str(program)]
     if options.quick:
         command.append("--quick")
-    for name in ("scenes", "measures", "size", "samples", "frames", "device"):
+    for name in ("scenes", "measures", "size", "samples", "frames", "device", "dump"):
         value = getattr(options, name)
         if value is not None:
             command += [f"--{name}", str(value)]
@@ -201,6 +201,7 @@ def main():
     parser.add_argument("--samples", type=int)
     parser.add_argument("--frames", type=int)
     parser.add_argument("--device")
+    parser.add_argument("--dump", help="a folder for every picture and the mask, as PPM")
     parser.add_argument("--save", help="keep the figures, one JSON object a line")
     parser.add_argument("--load", help="print the tables of figures kept before")
     options = parser.parse_args()
