@@ -30,7 +30,8 @@ struct Options {
 
 constexpr const char* kUsage =
     "usage: edge_quality [--quick] [--shared-data FOLDER] [--device DEVICE] [--scenes A,B] "
-    "[--measures rmse,crawl,bloat,time] [--size N] [--samples N] [--frames N] [--dump FOLDER]\n";
+    "[--measures rmse,crawl,bloat,time] [--size N] [--samples N] [--pan-samples N] [--turn-samples N] "
+    "[--frames N] [--dump FOLDER]\n";
 
 bool Lists(const std::string& list, const std::string& name) {
   return ("," + list + ",").find("," + name + ",") != std::string::npos;
@@ -57,8 +58,8 @@ Options Parse(int count, char** words) {
       options.effort = {.size = 256,
                         .reference_samples = 256,
                         .frames = 24,
-                        .pan_samples = 120,
-                        .turn_samples = 32,
+                        .pan_samples = 640,
+                        .turn_samples = 64,
                         .time_size = 1024,
                         .time_rounds = 5};
       continue;
@@ -79,6 +80,10 @@ Options Parse(int count, char** words) {
       options.effort.size = Number(value, 64);
     else if (word == "--samples")
       options.effort.reference_samples = Number(value, 1);
+    else if (word == "--pan-samples")
+      options.effort.pan_samples = Number(value, 20);
+    else if (word == "--turn-samples")
+      options.effort.turn_samples = Number(value, 1);
     else if (word == "--frames")
       options.effort.frames = Number(value, 3);
     else
