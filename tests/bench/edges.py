@@ -5,7 +5,7 @@
 usage: edges.py [--program PATH] [--quick] [--scenes A,B] [--measures rmse,crawl,bloat,time] [--save FILE | --load FILE]
 
 Build the program first: cmake --build BUILD --target burin_bench. Real models come from BURIN_SHARED_DATA (or
-../shared/data beside the repository) and are left out where absent. --quick takes minutes, a full run about an hour.
+../shared/data beside the repository) and are left out where absent. On two cores --quick takes ten minutes, a full run two hours.
 Never a test: machines are noisy, and the bounds are goals.
 """
 import argparse
@@ -195,7 +195,7 @@ def run(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=str(ROOT / "build/release/bench/edge_quality"))
-    parser.add_argument("--quick", action="store_true", help="smaller, shorter: minutes instead of an hour")
+    parser.add_argument("--quick", action="store_true", help="smaller and shorter: minutes instead of hours")
     parser.add_argument("--scenes", help="names separated by commas (default: all)")
     parser.add_argument("--measures", help="of rmse,crawl,bloat,time (default: all)")
     parser.add_argument("--size", type=int)
