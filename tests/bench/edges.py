@@ -5,8 +5,8 @@
 usage: edges.py [--program PATH] [--quick] [--scenes A,B] [--measures rmse,crawl,bloat,time] [--save FILE | --load FILE]
 
 Build the program first: cmake --build BUILD --target burin_bench. Real models come from BURIN_SHARED_DATA (or
-../shared/data beside the repository) and are left out where absent. On two cores --quick takes ten minutes, a full run two hours.
-Never a test: machines are noisy, and the bounds are goals.
+../shared/data beside the repository) and are left out where absent. On two cores --quick takes ten minutes, a full run
+two hours. Never a test: machines are noisy, and the bounds are goals.
 """
 import argparse
 import collections
