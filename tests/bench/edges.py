@@ -149,7 +149,8 @@ def report(results):
     print("\nLinear light over an opaque dark grey, all of red, green and blue, clamped to 0..1; only pixels within two "
           "pixels of a\nvisible discontinuity edge (their share of the frame in brackets). 4x MSAA is the mean of four "
           "renderings at the\ndevice's own sample positions: visibility as the hardware resolves it, shading at every "
-          "sample. A star: over the bound.")
+          "sample. 2x2 and 4x4 are\nmeans in the same way, so that all take textures at the reference's detail; their "
+          "frame times are those of --samples.\nA star: over the bound.")
     plain_table(results, "rmse", "RMSE x 255 near edges")
     ratio_table(results, "rmse", "rmse", "RMSE against supersampling")
     for name, what in (("pan", "0.05 pixels a frame sideways"), ("turn", "orbit and roll, about 0.05 pixels a frame")):
