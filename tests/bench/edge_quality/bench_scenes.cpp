@@ -11,6 +11,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <random>
+#include <span>
 
 #include "core/image/image_module.h"
 #include "core/scene/gltf_reader.h"
@@ -47,16 +48,18 @@ Scene SceneOf(std::vector<Primitive> primitives, std::vector<scene::Material> ma
   return scene;
 }
 
-/// A flat quadrilateral with vertices of its own, counter-clockwise seen from its front.
-void AddQuad(Primitive& mesh, const std::array<glm::vec3, 4>& corners, const glm::vec3& color) {
+/// A flat polygon with vertices of its own, counter-clockwise seen from its front.
+void AddPolygon(Primitive& mesh, std::span<const glm::vec3> corners, const glm::vec3& color) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[3] - corners[0]));
+  const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners.back() - corners[0]));
   for (const glm::vec3& corner : corners) {
     mesh.positions.push_back(corner);
     mesh.normals.push_back(normal);
     mesh.colors.emplace_back(color, 1.0f);
   }
-  for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+  for (std::uint32_t i = 2; i < corners.size(); ++i) {
+    mesh.indices.insert(mesh.indices.end(), {first, first + i - 1, first + i});
+  }
 }
 
 /// The box from -1 to 1 through `place`.
@@ -70,42 +73,34 @@ void AddBox(Primitive& mesh, const glm::mat4& place, const glm::vec3& color) {
       const glm::vec4 corner((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1, 1);
       corners[i] = glm::vec3(place * corner);
     }
-    AddQuad(mesh, corners, color);
+    AddPolygon(mesh, corners, color);
   }
 }
 
-/// Latitudes and longitudes of the unit sphere; smooth, or each quadrilateral flat in a colour of its own.
-Primitive Sphere(int slices, bool is_faceted) {
+glm::vec3 OnSphere(int stack, int slice, int stacks, int slices) {
+  const float polar = glm::radians(180.0f) * static_cast<float>(stack) / static_cast<float>(stacks);
+  const float around = glm::radians(360.0f) * static_cast<float>(slice) / static_cast<float>(slices);
+  return {std::sin(polar) * std::cos(around), std::cos(polar), -std::sin(polar) * std::sin(around)};
+}
+
+/// The unit sphere, smooth.
+Scene Sphere() {
+  constexpr int kSlices = 128;
+  constexpr int kStacks = kSlices / 2;
   Primitive mesh;
-  std::mt19937 random(kSeed);
-  std::uniform_real_distribution<float> channel(0.1f, 0.9f);
-  const int stacks = slices / 2;
-  const auto at = [&](int stack, int slice) {
-    const float polar = glm::radians(180.0f) * static_cast<float>(stack) / static_cast<float>(stacks);
-    const float around = glm::radians(360.0f) * static_cast<float>(slice % slices) / static_cast<float>(slices);
-    return glm::vec3(std::sin(polar) * std::cos(around), std::cos(polar), -std::sin(polar) * std::sin(around));
-  };
-  if (!is_faceted) {
-    for (int i = 0; i <= stacks; ++i) {
-      for (int j = 0; j <= slices; ++j) mesh.positions.push_back(at(i, j));
-    }
-    mesh.normals = mesh.positions;
+  for (int i = 0; i <= kStacks; ++i) {
+    for (int j = 0; j <= kSlices; ++j) mesh.positions.push_back(OnSphere(i, j, kStacks, kSlices));
   }
-  for (int i = 0; i < stacks; ++i) {
-    for (int j = 0; j < slices; ++j) {
-      const bool is_cap = i == 0 || i == stacks - 1;
-      if (!is_faceted) {
-        const auto a = static_cast<std::uint32_t>(i * (slices + 1) + j);
-        const auto b = a + static_cast<std::uint32_t>(slices) + 1;
-        if (i > 0) mesh.indices.insert(mesh.indices.end(), {a, b, a + 1});
-        if (i + 1 < stacks) mesh.indices.insert(mesh.indices.end(), {a + 1, b, b + 1});
-      } else if (!is_cap) {
-        const glm::vec3 color(channel(random), channel(random), channel(random));
-        AddQuad(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, color);
-      }
+  mesh.normals = mesh.positions;
+  for (int i = 0; i < kStacks; ++i) {
+    for (int j = 0; j < kSlices; ++j) {
+      const auto a = static_cast<std::uint32_t>(i * (kSlices + 1) + j);
+      const std::uint32_t b = a + kSlices + 1;
+      if (i > 0) mesh.indices.insert(mesh.indices.end(), {a, b, a + 1});
+      if (i + 1 < kStacks) mesh.indices.insert(mesh.indices.end(), {a + 1, b, b + 1});
     }
   }
-  return mesh;
+  return SceneOf({std::move(mesh)}, {});
 }
 
 Scene Cube() {
@@ -114,11 +109,30 @@ Scene Cube() {
   return SceneOf({std::move(mesh)}, {});
 }
 
-/// Flat tiles, each of a colour of its own: creases, colour seams and the open rims of the poles.
+/// A dented sphere of flat triangles, each of a colour of its own: creases and colour seams everywhere, and open rims
+/// at the poles.
 Scene ManyColors() {
+  constexpr int kSlices = 56;
+  constexpr int kStacks = kSlices / 2;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<float> channel(0.1f, 0.9f);
+  std::uniform_real_distribution<float> radius(0.97f, 1.03f);
+  std::vector<glm::vec3> points;
+  for (int i = 0; i <= kStacks; ++i) {
+    for (int j = 0; j < kSlices; ++j) points.push_back(radius(random) * OnSphere(i, j, kStacks, kSlices));
+  }
+  const auto at = [&](int i, int j) { return points[static_cast<std::size_t>(i * kSlices + j % kSlices)]; };
+  Primitive mesh;
+  for (int i = 1; i + 1 < kStacks; ++i) {
+    for (int j = 0; j < kSlices; ++j) {
+      for (const auto& corners : {std::array{at(i, j), at(i + 1, j), at(i, j + 1)},
+                                  std::array{at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)}}) {
+        AddPolygon(mesh, corners, {channel(random), channel(random), channel(random)});
+      }
+    }
+  }
   scene::Material material = Plain({1, 1, 1});
   material.double_sided = true;
-  Primitive mesh = Sphere(40, true);
   mesh.material = 0;
   return SceneOf({std::move(mesh)}, {material});
 }
@@ -127,7 +141,7 @@ Scene ManyColors() {
 Scene Terrain() {
   constexpr int kCells = 96;
   const auto height = [](float x, float z) {
-    return 0.22f * std::sin(5.1f * x + 0.3f) * std::cos(4.3f * z) + 0.09f * std::sin(11.0f * x - 7.0f * z);
+    return 0.32f * std::sin(5.1f * x + 0.3f) * std::cos(4.3f * z) + 0.09f * std::sin(11.0f * x - 7.0f * z);
   };
   Primitive mesh;
   for (int i = 0; i <= kCells; ++i) {
@@ -172,7 +186,7 @@ Scene SubpixelBoxes() {
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   Primitive mesh;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 14000; ++i) {
     const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(unit(random), unit(random), unit(random)));
     AddBox(mesh, glm::scale(place, glm::vec3(0.0022f)),
            0.5f + 0.4f * glm::vec3(unit(random), unit(random), unit(random)));
@@ -241,7 +255,7 @@ std::vector<BenchScene> BenchScenes(const std::string& shared_data) {
       {"spot", true, file("mesh/spot.glb")},
       {"spot 94k", true, file("mesh/spot_loop2.glb")},
       {"spot 375k", true, file("mesh/spot_loop3.glb")},
-      {"sphere", true, [] { return SceneOf({Sphere(128, false)}, {}); }},
+      {"sphere", true, [] { return Sphere(); }},
       {"many colours", false, [] { return ManyColors(); }},
       {"open terrain", false, [] { return Terrain(); }},
       {"94k + materials", false, [read = file("mesh/spot_loop2.glb")] { return WithMaterials(read()); }},
@@ -260,10 +274,9 @@ Scene HalfPlane(double angle_rad, double offset) {
   const glm::vec3 on_line = -static_cast<float>(offset) * down;
   constexpr float kFar = 8.0f;
   Primitive mesh;
-  AddQuad(mesh,
-          {on_line + kFar * (down - along), on_line + kFar * (down + along), on_line + kFar * along,
-           on_line - kFar * along},
-          {1, 1, 1});
+  const std::array<glm::vec3, 4> corners = {on_line + kFar * (down - along), on_line + kFar * (down + along),
+                                            on_line + kFar * along, on_line - kFar * along};
+  AddPolygon(mesh, corners, {1, 1, 1});
   mesh.material = 0;
   scene::Material white = Plain({1, 1, 1});
   white.unlit = true;

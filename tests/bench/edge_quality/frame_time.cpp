@@ -28,10 +28,10 @@ std::vector<Figure> FrameTimes(Stand& stand, const std::vector<Method>& methods,
   std::vector<std::vector<double>> ratios(methods.size());
   for (int round = -1; round < rounds; ++round) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      if (!methods[m].is_timed) continue;
+      if (!methods[m].timed) continue;
       const Place place{.orbit_deg = 1.0 * round};
       const auto start = std::chrono::steady_clock::now();
-      stand.Draw(methods[m], place, *target, image::Encoding::kDisplay);
+      stand.Draw(methods[m], place, *target);
       const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
       if (round < 0) continue;
       times_ms[m].push_back(taken.count());

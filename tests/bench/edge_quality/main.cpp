@@ -3,6 +3,7 @@
 // tables. One JSON object a line on stdout: {"measure", "scene", "clean", "method", "value"}.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +12,7 @@
 
 #include "core/gl/context.h"
 #include "tests/bench/edge_quality/bench_scenes.h"
+#include "tests/bench/edge_quality/dump.h"
 #include "tests/bench/edge_quality/edge_mask.h"
 #include "tests/bench/edge_quality/measures.h"
 
@@ -23,11 +25,13 @@ struct Options {
   std::string device = "auto";
   std::string scenes;  ///< names separated by commas; empty: all
   std::string measures = "rmse,crawl,bloat,time";
+  std::string dump;  ///< a folder; empty: no pictures
 };
 
 constexpr const char* kUsage =
     "usage: edge_quality [--quick] [--shared-data FOLDER] [--device DEVICE] [--scenes A,B] "
-    "[--measures rmse,crawl,bloat,time] [--size N] [--samples N] [--frames N]\n";
+    "[--measures rmse,crawl,bloat,time] [--size N] [--samples N] [--pan-samples N] [--turn-samples N] "
+    "[--frames N] [--dump FOLDER]\n";
 
 bool Lists(const std::string& list, const std::string& name) {
   return ("," + list + ",").find("," + name + ",") != std::string::npos;
@@ -54,8 +58,8 @@ Options Parse(int count, char** words) {
       options.effort = {.size = 256,
                         .reference_samples = 256,
                         .frames = 24,
-                        .pan_samples = 120,
-                        .turn_samples = 32,
+                        .pan_samples = 640,
+                        .turn_samples = 64,
                         .time_size = 1024,
                         .time_rounds = 5};
       continue;
@@ -70,10 +74,16 @@ Options Parse(int count, char** words) {
       options.scenes = value;
     else if (word == "--measures")
       options.measures = value;
+    else if (word == "--dump")
+      options.dump = value;
     else if (word == "--size")
       options.effort.size = Number(value, 64);
     else if (word == "--samples")
       options.effort.reference_samples = Number(value, 1);
+    else if (word == "--pan-samples")
+      options.effort.pan_samples = Number(value, 20);
+    else if (word == "--turn-samples")
+      options.effort.turn_samples = Number(value, 1);
     else if (word == "--frames")
       options.effort.frames = Number(value, 3);
     else
@@ -105,6 +115,26 @@ void Measure(const BenchScene& bench, const scene::Scene& scene, const std::vect
   }
 }
 
+/// Each method's picture beside the reference, and what the mask leaves, under FOLDER.
+void Dump(const BenchScene& bench, const scene::Scene& scene, const std::vector<Method>& methods,
+          const Options& options) {
+  Stand stand(scene, options.effort.size);
+  const Method& plain = methods.front();
+  const Mask mask = EdgeMask(stand, plain, {});
+  const Picture reference = Reference(stand, plain, {}, options.effort.reference_samples);
+  const auto write = [&](std::string name, const Picture& picture, const Mask* only) {
+    name = fmt::format("{} - {}.ppm", bench.name, name);
+    std::ranges::replace(name, ' ', '_');
+    if (!WritePpm(options.dump + "/" + name, picture, only)) {
+      fmt::print(stderr, "edge_quality: {}/{}: cannot be written\n", options.dump, name);
+      std::exit(1);
+    }
+  };
+  write("reference", reference, nullptr);
+  write("mask", reference, &mask);
+  for (const Method& method : methods) write(method.name, stand.Render(method, {}), nullptr);
+}
+
 int Main(int count, char** words) {
   const Options options = Parse(count, words);
   gl::SetDriverEnvironment(0);
@@ -129,6 +159,7 @@ int Main(int count, char** words) {
       fmt::print(stderr, "edge_quality: {}: not there, left out\n", bench.name);
       continue;
     }
+    if (!options.dump.empty()) Dump(bench, *scene, methods, options);
     Measure(bench, *scene, methods, options);
   }
   return 0;

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin::bench {
 namespace {
@@ -29,25 +30,39 @@ std::vector<glm::dvec2> FourSamplePositions() {
   return positions;
 }
 
+/// The middles of k x k cells of a pixel.
+std::vector<glm::dvec2> Grid(int k) {
+  std::vector<glm::dvec2> positions;
+  for (int i = 0; i < k * k; ++i) {
+    positions.emplace_back((i % k + 0.5) / k - 0.5, (i / k + 0.5) / k - 0.5);
+  }
+  return positions;
+}
+
 }  // namespace
 
 std::vector<Method> Methods(const glm::vec4& background) {
-  const auto options = [&](int samples, overdraw::EdgeMode edges = overdraw::EdgeMode::kOff) {
-    render::SceneOptions scene_options;
-    scene_options.background = background;
-    scene_options.samples = samples;
-    scene_options.edges.mode = edges;
-    return scene_options;
-  };
+  render::SceneOptions plain;
+  plain.background = background;
+  plain.edges.mode = overdraw::EdgeMode::kOff;
+  render::SceneOptions four = plain, sixteen = plain;
+  four.samples = 4;
+  sixteen.samples = 16;
   std::vector<Method> methods;
-  methods.push_back({.name = "none", .options = options(1)});
-  methods.push_back({.name = "2x2", .options = options(4)});
-  methods.push_back({.name = "4x4", .options = options(16)});
+  methods.push_back({.name = "none", .options = plain, .timed = plain});
+  // For quality the samples of --samples one by one: rendered at twice the size textures would take finer mipmaps than
+  // the reference's, which has nothing to do with edges. Without textures the pixels are the same.
+  methods.push_back({.name = "2x2", .options = plain, .offsets = Grid(2), .timed = four});
+  methods.push_back({.name = "4x4", .options = plain, .offsets = Grid(4), .timed = sixteen});
   // Visibility as four hardware samples see it; shading is taken at each of them too, which real MSAA does once.
-  methods.push_back({.name = "4x MSAA", .options = options(1), .offsets = FourSamplePositions(), .is_timed = false});
-  methods.push_back({.name = "unsorted", .options = options(1, overdraw::EdgeMode::kUnsorted)});
-  methods.push_back({.name = "sorted", .options = options(1, overdraw::EdgeMode::kSorted)});
-  methods.push_back({.name = "resolve", .options = options(1, overdraw::EdgeMode::kResolve)});
+  methods.push_back({.name = "4x MSAA", .options = plain, .offsets = FourSamplePositions(), .timed = std::nullopt});
+  for (const auto& [name, mode] : {std::pair("unsorted", overdraw::EdgeMode::kUnsorted),
+                                   std::pair("sorted", overdraw::EdgeMode::kSorted),
+                                   std::pair("resolve", overdraw::EdgeMode::kResolve)}) {
+    render::SceneOptions options = plain;
+    options.edges.mode = mode;
+    methods.push_back({.name = name, .options = options, .timed = options});
+  }
   return methods;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct Method {
   render::SceneOptions options;
   /// The frame is the mean of one rendering at each of these places within a pixel, (0, 0) being its centre.
   std::vector<glm::dvec2> offsets = {{0.0, 0.0}};
-  bool is_timed = true;  ///< false: its frame time says nothing about the real thing
+  /// What its frame time is taken of; nothing: the real thing is not here to be timed.
+  std::optional<render::SceneOptions> timed;
 };
 
 /// Every method of the tables, "none" first. A mode of the edge stage is one line there. Context's thread.

@@ -126,22 +126,22 @@ void Stand::LookFrom(const Place& place) {
   frame_.view = frame_.previous_view = view;
 }
 
-render::SceneStage& Stand::StageOf(const Method& method) {
-  std::unique_ptr<render::SceneStage>& stage = stages_[method.name];
-  if (!stage) stage = Take(render::SceneStage::Create(scene_, method.options, *pictures_));
+render::SceneStage& Stand::StageOf(const std::string& name, const render::SceneOptions& options) {
+  std::unique_ptr<render::SceneStage>& stage = stages_[name];
+  if (!stage) stage = Take(render::SceneStage::Create(scene_, options, *pictures_));
   return *stage;
 }
 
-void Stand::Draw(const Method& method, const Place& place, const gl::Texture& target, image::Encoding encoding) {
+void Stand::Draw(const Method& method, const Place& place, const gl::Texture& target) {
   LookFrom(place);
-  const gbuffer::Request request{gbuffer::Attribute::kColor, &target, encoding};
-  Check(StageOf(method).Fill(frame_, {&request, 1}));
+  const gbuffer::Request request{gbuffer::Attribute::kColor, &target, image::Encoding::kDisplay};
+  Check(StageOf(method.name + ", timed", *method.timed).Fill(frame_, {&request, 1}));
   glFinish();
 }
 
 void Stand::FillAttributes(const Method& plain, const Place& place, std::span<const gbuffer::Request> requests) {
   LookFrom(place);
-  Check(StageOf(plain).Fill(frame_, requests));
+  Check(StageOf(plain.name, plain.options).Fill(frame_, requests));
 }
 
 void Stand::AddSample(const Method& plain, const Place& place, Mean& mean) {

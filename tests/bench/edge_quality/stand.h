@@ -51,15 +51,15 @@ class Stand {
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] Picture Render(const Method& method, const Place& place);
-  /// The method's first rendering, left on the device and waited for: what a frame costs.
-  void Draw(const Method& method, const Place& place, const gl::Texture& target, image::Encoding encoding);
+  /// A whole frame as `method.timed` draws it, left on the device in display encoding and waited for.
+  void Draw(const Method& method, const Place& place, const gl::Texture& target);
   /// Adds one plain rendering to `mean`.
   void AddSample(const Method& plain, const Place& place, Mean& mean);
   /// Attributes of the plain frame, into targets of any size.
   void FillAttributes(const Method& plain, const Place& place, std::span<const gbuffer::Request> requests);
 
  private:
-  render::SceneStage& StageOf(const Method& method);
+  render::SceneStage& StageOf(const std::string& name, const render::SceneOptions& options);
   void LookFrom(const Place& place);
 
   scene::Scene scene_;

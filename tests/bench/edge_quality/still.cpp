@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "tests/bench/edge_quality/edge_mask.h"
 #include "tests/bench/edge_quality/measures.h"
@@ -24,17 +22,6 @@ double SquaredError(const Picture& picture, const Picture& reference, const Mask
   return sum;
 }
 
-/// With EDGE_QUALITY_DUMP=FOLDER set: the picture as FOLDER/NAME.ppm, square roots of linear light.
-void Dump(const Picture& picture, const std::string& name) {
-  const char* const folder = std::getenv("EDGE_QUALITY_DUMP");
-  if (folder == nullptr) return;
-  std::FILE* const file = std::fopen((std::string(folder) + "/" + name + ".ppm").c_str(), "wb");
-  if (file == nullptr) return;
-  std::fprintf(file, "P6\n%d %d\n255\n", picture.width, picture.height);
-  for (const float x : picture.rgb) std::fputc(static_cast<int>(std::lround(255.0f * std::sqrt(x))), file);
-  std::fclose(file);
-}
-
 }  // namespace
 
 std::vector<Figure> StillErrors(Stand& stand, const std::vector<Method>& methods, const Effort& effort) {
@@ -45,12 +32,9 @@ std::vector<Figure> StillErrors(Stand& stand, const std::vector<Method>& methods
   for (const double orbit_deg : kOrbits_deg) {
     const Place place{.orbit_deg = orbit_deg};
     const Picture reference = Reference(stand, plain, place, effort.reference_samples);
-    Dump(reference, "reference");
     const Mask mask = EdgeMask(stand, plain, place);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const Picture picture = stand.Render(methods[m], place);
-      Dump(picture, methods[m].name);
-      sums[m] += SquaredError(picture, reference, mask);
+      sums[m] += SquaredError(stand.Render(methods[m], place), reference, mask);
     }
     pixels += Share(mask) * static_cast<double>(mask.size());
     share += Share(mask) / std::size(kOrbits_deg);
