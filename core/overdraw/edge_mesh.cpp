@@ -73,6 +73,7 @@ Result<EdgeMesh> BuildEdgeMesh(const MeshInput& input, const EdgeMeshOptions& op
   if (std::ranges::any_of(input.face_double_sided, [](std::uint8_t b) { return b != 0; }))
     mesh.double_sided.assign(input.face_double_sided.begin(), input.face_double_sided.end());
   mesh.shows_back_faces = options.shows_back_faces;
+  mesh.keeps_concave = options.keeps_concave;
 
   const std::vector<std::uint32_t> welded = geometry::WeldPositions(mesh.positions);
   const std::vector<std::uint8_t> degenerate = geometry::FindDegenerate(mesh.triangles, mesh.positions);
@@ -84,7 +85,7 @@ Result<EdgeMesh> BuildEdgeMesh(const MeshInput& input, const EdgeMeshOptions& op
   mesh.is_concave.resize(mesh.edges.size());
   ForEach(mesh.edges.size(), [&](std::size_t e) { mesh.is_concave[e] = IsConcave(mesh, mesh.edges[e]); });
   ListSharpAndBoundaries(welded, mesh);
-  ListSilhouettes(/*with_concave=*/false, mesh);
+  ListSilhouettes(/*with_concave=*/mesh.keeps_concave, mesh);
   if (mesh.silhouettes.size() >= std::max<std::size_t>(options.least_tree_edges, 1)) BuildTree(mesh);
   return mesh;
 }

@@ -29,6 +29,9 @@ struct EdgeMeshOptions {
   /// Single-sided faces show from behind, as in the paper's pictures. Off: they are not on screen then (glTF's
   /// culling), so an edge all of whose faces are seen from behind is drawn only if one of them is double-sided.
   bool shows_back_faces = false;
+  /// Silhouettes among the concave edges of closed surfaces are kept. They are hidden, but close the outline: where it
+  /// folds back and forth, they are the way back.
+  bool keeps_concave = false;
   std::size_t least_tree_edges = kLeastTreeEdges;  ///< smaller searches, and moving meshes, build no tree
 };
 
@@ -58,6 +61,7 @@ struct EdgeMesh {
   FacePlanes planes;       ///< one a triangle; 0 for degenerate ones
   bool is_closed = false;  ///< no surface of it is open
   bool shows_back_faces = false;
+  bool keeps_concave = false;
   bool is_deformed = false;  ///< UpdateDeformed was called: kinds and paths are as built, concavity is tested per view
   SilhouetteEdges silhouettes;  ///< smooth edges that may show as silhouettes, in the tree's order if there is one
   SilhouetteTree tree;          ///< over `silhouettes`; empty: they are scanned

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kGrain = 1024;
 constexpr float kSlopeReach = 1.5f;      // pixels from the edge to the centres that it is compared with
 constexpr float kRelativeSlack = 4e-6f;  // of the rasterizer's interpolation
+constexpr float kFoldExtents = 1.0f;
+constexpr float kMostFold = 0.02f;      // of the depth
 constexpr float kLargestSlope = 0.25f;   // of what the slope may add, as a share of the depth
 
 struct ScreenSegment {
@@ -72,14 +74,28 @@ bool IsOnPositiveSide(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c
   return glm::dot(glm::cross(row(a), row(b)), row(corner)) > 0.0;
 }
 
-/// Zero for outlines: off their surface everything lies farther off whatever the slope.
+/// How far the depths of the edge's faces are apart.
+float DepthExtent(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, const Projection& projection) {
+  float low = std::min(a.z / a.w, b.z / b.w);
+  float high = std::max(a.z / a.w, b.z / b.w);
+  for (const glm::vec3& corner : {edge.left_corner, edge.right_corner}) {
+    const glm::vec4 c = projection.Clip(corner);
+    if (!(c.w > 0.0f)) continue;
+    low = std::min(low, c.z / c.w);
+    high = std::max(high, c.z / c.w);
+  }
+  return std::isfinite(high - low) ? high - low : 0.0f;
+}
+
+/// Off an outline's surface everything lies farther off whatever the slope; but where the outline of a mesh folds back
+/// and forth, its own faces cover parts of it, which must count all the same so that the folds cancel out.
 float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, bool is_outline, float depth,
             const Projection& projection) {
-  float slope = 0.0f;
-  if (!is_outline) {
-    slope = std::min(projection.Slope(a, b, projection.Clip(edge.left_corner)),
-                     projection.Slope(a, b, projection.Clip(edge.right_corner)));
+  if (is_outline) {
+    return depth * kRelativeSlack + std::min(kFoldExtents * DepthExtent(edge, a, b, projection), kMostFold * depth);
   }
+  const float slope = std::min(projection.Slope(a, b, projection.Clip(edge.left_corner)),
+                               projection.Slope(a, b, projection.Clip(edge.right_corner)));
   return depth * kRelativeSlack + std::min(kSlopeReach * slope, kLargestSlope * depth);
 }
 

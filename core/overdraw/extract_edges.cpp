@@ -166,7 +166,7 @@ std::vector<std::uint32_t> FindSilhouettes(const EdgeMesh& mesh, const glm::vec4
   statistics.found = found.size();
   for (std::uint32_t& index : found) index = mesh.silhouettes.edge[index];
   // A moving mesh's search holds concave edges too; of closed surfaces they are hidden.
-  if (mesh.is_deformed)
+  if (mesh.is_deformed && !mesh.keeps_concave)
     std::erase_if(found, [&](std::uint32_t e) { return mesh.is_open[e] == 0 && IsConcave(mesh, mesh.edges[e]); });
   return found;
 }

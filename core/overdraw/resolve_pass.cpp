@@ -41,15 +41,16 @@ void main() {
   float area = 0.25 * abs(along) - 0.5 * abs(p.x * q.y - p.y * q.x);
   vec2 d = v_segment.zw - v_segment.xy;
   vec2 inwards = vec2(-d.y, d.x);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  bool is_outline = v_depth.w < 0.0;
   bool is_beyond_inside = dot(inwards, p + q) > 0.0;   // beyond the edge lies the outline's surface
+  // Through the very centre: on the surface if the picture has it there.
+  bool crosses = max(abs(p.x), abs(p.y)) > 0.4999 && max(abs(q.x), abs(q.y)) > 0.4999;
+  if (is_outline && crosses && abs(dot(inwards, p + q)) < 0.04 * length(d)) is_beyond_inside = Surface(pixel) < z - v_depth.z;
   vec2 across = is_beyond_inside ? inwards : -inwards;
   bool is_wide = abs(across.x) >= abs(across.y);
   ivec2 to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  bool is_outline = v_depth.w < 0.0;
   ivec2 other = pixel + to;
-  // An outline is seen against what lies off its surface; other edges, where either side is seen.
-  if (is_outline) { if (is_beyond_inside) other = pixel; else pixel = other; }
   if (area <= 0.0 || IsHidden(pixel, other, z)) discard;
   vec4 areas = area * max(vec4(to.x, -to.x, to.y, -to.y), vec4(0.0));
   covered = is_outline && is_beyond_inside ? areas : vec4(0.0);

@@ -106,6 +106,7 @@ Result<SceneEdges::Object> SceneEdges::Build(Items items) {
   const std::string name = mesh_name.empty() ? fmt::format("mesh {}", first.mesh) : fmt::format("\"{}\"", mesh_name);
   EdgeMeshOptions options;
   options.crease_angle_deg = options_.crease_angle_deg;
+  options.keeps_concave = options_.mode == EdgeMode::kResolve;
   if (first.is_deformed) options.least_tree_edges = ~std::size_t{0};
   Result<EdgeMesh> mesh = BuildEdgeMesh(joined.Input(name), options);
   if (!mesh) return std::unexpected(mesh.error());
