@@ -2,6 +2,7 @@
 #include "core/overdraw/edge_renderer.h"
 
 #include "core/gbuffer/frame_blocks.h"
+#include "core/overdraw/edge_attribute_pass.h"
 #include "core/overdraw/edge_quad_buffer.h"
 #include "core/overdraw/resolve_pass.h"
 #include "core/overdraw/scene_edges.h"
@@ -20,18 +21,20 @@ class Renderer final : public EdgeRenderer {
   Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color,
                          const gl::Texture& depth) override {
     if (mode_ != EdgeMode::kResolve) return {};
-    if (auto built = BuildQuads(frame, depth, 0.0f); !built) return built;
+    if (auto built = BuildQuads(frame, depth, true); !built) return built;
     const gbuffer::Storage storage{color.attribute, color.target->format(), color.encoding};
     return resolve_.Draw(*color.target, storage, depth, quads_);
   }
 
-  Result<void> Fill(const gbuffer::FrameInput&, std::span<const gbuffer::Request>, const gl::Texture&) override {
-    return {};
+  Result<void> Fill(const gbuffer::FrameInput& frame, std::span<const gbuffer::Request> requests,
+                    const gl::Texture& depth) override {
+    if (auto built = BuildQuads(frame, depth, false); !built) return built;
+    return attributes_.Draw(requests, depth, quads_);
   }
 
  private:
   /// The frame's edges, in quads for a picture of the size of `depth`.
-  Result<void> BuildQuads(const gbuffer::FrameInput& frame, const gl::Texture& depth, float reach) {
+  Result<void> BuildQuads(const gbuffer::FrameInput& frame, const gl::Texture& depth, bool keeps_seams) {
     if (frame_ == nullptr) {
       Result<const FrameEdges*> found = edges_.Extract(frame.items, frame.view);
       if (!found) return std::unexpected(found.error());
@@ -41,7 +44,7 @@ class Renderer final : public EdgeRenderer {
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
     options.height = depth.height();
-    options.reach = reach;
+    options.keeps_seams = keeps_seams;
     BuildEdgeQuads(frame_->segments, options, vertices_);
     quads_.Upload(vertices_);
     return {};
@@ -53,6 +56,7 @@ class Renderer final : public EdgeRenderer {
   std::vector<EdgeVertex> vertices_;
   EdgeQuadBuffer quads_;
   ResolvePass resolve_;
+  EdgeAttributePass attributes_;
 };
 
 }  // namespace
