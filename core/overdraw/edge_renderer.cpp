@@ -4,6 +4,7 @@
 #include "core/gbuffer/frame_blocks.h"
 #include "core/overdraw/edge_attribute_pass.h"
 #include "core/overdraw/edge_quad_buffer.h"
+#include "core/overdraw/line_edges.h"
 #include "core/overdraw/resolve_pass.h"
 #include "core/overdraw/scene_edges.h"
 
@@ -12,47 +13,52 @@ namespace {
 
 class Renderer final : public EdgeRenderer {
  public:
-  Renderer(const scene::Scene& scene, const EdgeOptions& options) : mode_(options.mode), edges_(scene, options) {}
+  Renderer(const scene::Scene& scene, const EdgeOptions& options) : options_(options), edges_(scene, options) {}
 
   void BeginFrame() override { frame_ = nullptr; }
   std::vector<std::string> TakeNotes() override { return edges_.TakeNotes(); }
-  [[nodiscard]] bool antialiases() const override { return mode_ != EdgeMode::kOff; }
+  [[nodiscard]] bool antialiases() const override { return options_.mode != EdgeMode::kOff; }
 
   Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color,
                          const gl::Texture& depth) override {
-    if (mode_ != EdgeMode::kResolve) return {};
-    if (auto built = BuildQuads(frame, depth, true); !built) return built;
+    if (options_.mode != EdgeMode::kResolve) return {};
+    if (auto found = FindEdges(frame); !found) return found;
+    BuildQuads(frame_->segments, frame, depth);
     const gbuffer::Storage storage{color.attribute, color.target->format(), color.encoding};
     return resolve_.Draw(*color.target, storage, depth, quads_);
   }
 
   Result<void> Fill(const gbuffer::FrameInput& frame, std::span<const gbuffer::Request> requests,
                     const gl::Texture& depth) override {
-    if (auto built = BuildQuads(frame, depth, false); !built) return built;
+    if (auto found = FindEdges(frame); !found) return found;
+    SelectLines(frame_->segments, options_.crease_angle_deg, lines_);
+    BuildQuads(lines_, frame, depth);
     return attributes_.Draw(requests, depth, quads_);
   }
 
  private:
-  /// The frame's edges, in quads for a picture of the size of `depth`.
-  Result<void> BuildQuads(const gbuffer::FrameInput& frame, const gl::Texture& depth, bool keeps_seams) {
-    if (frame_ == nullptr) {
-      Result<const FrameEdges*> found = edges_.Extract(frame.items, frame.view);
-      if (!found) return std::unexpected(found.error());
-      frame_ = *found;
-    }
+  Result<void> FindEdges(const gbuffer::FrameInput& frame) {
+    if (frame_ != nullptr) return {};
+    Result<const FrameEdges*> found = edges_.Extract(frame.items, frame.view);
+    if (!found) return std::unexpected(found.error());
+    frame_ = *found;
+    return {};
+  }
+
+  /// For a picture of the size of `depth`.
+  void BuildQuads(std::span<const EdgeSegment> segments, const gbuffer::FrameInput& frame, const gl::Texture& depth) {
     QuadOptions options;
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
     options.height = depth.height();
-    options.keeps_seams = keeps_seams;
-    BuildEdgeQuads(frame_->segments, options, vertices_);
+    BuildEdgeQuads(segments, options, vertices_);
     quads_.Upload(vertices_);
-    return {};
   }
 
-  EdgeMode mode_;
+  EdgeOptions options_;
   SceneEdges edges_;
   const FrameEdges* frame_ = nullptr;
+  std::vector<EdgeSegment> lines_;
   std::vector<EdgeVertex> vertices_;
   EdgeQuadBuffer quads_;
   ResolvePass resolve_;
