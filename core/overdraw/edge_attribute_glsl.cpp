@@ -75,9 +75,10 @@ constexpr std::string_view kVertexBody = R"(
 layout(location = 1) in vec4 segment;
 layout(location = 2) in vec4 depth;
 uniform float reach;
+const float ASIDE = 0.75;   // pixels
 flat out vec4 v_segment;    // the part that is seen, from the first to the last point
 flat out vec4 v_depth;      // as in EdgeVertex, of that part
-flat out float v_has_gaps;  // above 0: part of it is hidden
+flat out vec3 v_ends;       // above 0: it goes on hidden before the first point; after the last one; between them
 
 // Liang and Barsky 1984.
 vec2 CutToPicture(vec2 a, vec2 d, vec2 size) {
@@ -108,9 +109,12 @@ void main() {
     last = i;
     ++seen;
   }
-  v_has_gaps = seen < last - first + 1 ? 1.0 : 0.0;
   float begin = part.x + float(first) * width;
   float end = part.x + float(last + 1) * width;
+  float aside = ASIDE / max(length(d), ASIDE);
+  v_ends.x = first > 0 || !IsSeen(segment, depth, begin - aside) ? 1.0 : 0.0;
+  v_ends.y = last < steps - 1 || !IsSeen(segment, depth, end + aside) ? 1.0 : 0.0;
+  v_ends.z = seen < last - first + 1 ? 1.0 : 0.0;
   v_segment = vec4(a + d * begin, a + d * end);
   v_depth = vec4(mix(depth.x, depth.y, begin), mix(depth.x, depth.y, end), depth.zw);
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
@@ -129,7 +133,7 @@ void main() {
 constexpr std::string_view kFragmentInputs = R"(
 flat in vec4 v_segment;
 flat in vec4 v_depth;
-flat in float v_has_gaps;
+flat in vec3 v_ends;
 
 // The place seen from the edge: pixels along it from its first end, and across it, above 0 on an outline's surface.
 // `length_along`: of the edge.
@@ -143,7 +147,7 @@ vec2 Place(out float length_along) {
 
 // A gap has to be two steps wide: a single point between a surface's facets is no end of the line.
 bool IsHiddenAt(float along, float length_along) {
-  if (v_has_gaps == 0.0) return false;
+  if (v_ends.z == 0.0) return false;
   float t = length_along > 0.0 ? clamp(along / length_along, 0.0, 1.0) : 0.0;
   float aside = 0.5 / max(length_along, 0.5);
   return !IsSeen(v_segment, v_depth, t) && !IsSeen(v_segment, v_depth, max(t - aside, 0.0)) &&
@@ -166,13 +170,18 @@ void main() {
 }
 )";
 
-// Two edges that share their nearest point tell the sides of a corner apart only if the one that faces the pixel more
-// squarely counts: it is made nearer by less than anyone sees.
+// Which side counts where several edges are about equally near. Two that share their nearest point tell the sides of a
+// corner apart only if the one that faces the pixel more squarely counts. Where an edge goes behind a surface, its end
+// lies within a pixel of that surface's outline, on either side: the outline counts, and so it does against creases
+// that run along it.
 constexpr std::string_view kDistanceBody = R"(
-layout(location = 0) out vec2 result;
+layout(location = 0) out vec4 result;
 
 const float LEAN = 1.0 / 1024.0;     // pixels
+const float INNER = 1.0;             // pixels; of hidden ends and of edges both of whose faces show
+const float HIDDEN_END = 3.0;        // pixels along the edge
 const float SHORTEST = 1.0 / 64.0;   // pixels; of edges with a direction
+const float NONE = 4.0 * REACH;
 
 void main() {
   float length_along;
@@ -180,10 +189,16 @@ void main() {
   float beyond = max(max(-place.x, place.x - length_along), 0.0);
   float far = length(vec2(beyond, place.y));
   if (far > REACH || IsHiddenAt(place.x, length_along)) discard;
-  float square = length_along >= SHORTEST && far > 0.0 ? abs(place.y) / far : 0.0;
-  float leaning = far + LEAN * (beyond > 0.0 ? 1.0 - square : 0.0);
-  bool is_on_surface = v_depth.w < 0.0 && place.y > 0.0;
-  result = is_on_surface ? vec2(leaning, 2.0 * REACH) : vec2(2.0 * REACH, leaning);
+  bool is_outline = v_depth.w < 0.0;
+  float side = far;
+  float from_end = min(v_ends.x > 0.0 ? place.x : HIDDEN_END, v_ends.y > 0.0 ? length_along - place.x : HIDDEN_END);
+  if (!is_outline || from_end < HIDDEN_END) side += INNER;
+  if (beyond > 0.0) {
+    float square = length_along >= SHORTEST ? abs(place.y) / far : 0.0;
+    side += LEAN * (1.0 - square);
+  }
+  bool is_on_surface = is_outline && place.y > 0.0;
+  result = vec4(is_on_surface ? side : NONE, is_on_surface ? NONE : side, far, 0.0);
 }
 )";
 
@@ -223,10 +238,9 @@ std::string EdgeStoreFragmentText(const gbuffer::Storage& storage) {
   if (storage.attribute == gbuffer::Attribute::kEdgeDist) {
     const std::array<float, 4> empty = gbuffer::StoredBackground(storage, {});
     text += fmt::format(
-        "  float nearest = min(value.x, value.y);\n"
-        "  float most = {}.0;\n"
-        "  value = vec4(min(nearest, most) * (value.x < value.y ? -1.0 : 1.0), 0.0, 0.0, 0.0);\n"
-        "  result = nearest < 1.5 * most ? {} : vec4({:#g}, {:#g}, {:#g}, {:#g});\n",
+        "  float nearest = value.z;\n"
+        "  value = vec4(value.x < value.y ? -nearest : nearest, 0.0, 0.0, 0.0);\n"
+        "  result = nearest <= {}.0 ? {} : vec4({:#g}, {:#g}, {:#g}, {:#g});\n",
         kLargestEdgeDistance, gbuffer::StoreExpression(storage, "value"), empty[0], empty[1], empty[2], empty[3]);
   } else {
     text += fmt::format("  result = {};\n", gbuffer::StoreExpression(storage, "value"));

@@ -44,7 +44,7 @@ Result<EdgeAttributePass::Scratch*> EdgeAttributePass::ScratchFor(Attribute attr
   };
   if (const auto found = std::ranges::find_if(scratches_, fits); found != scratches_.end()) return &*found;
   const gl::Format format = attribute == Attribute::kEdges ? gl::PlainFormat(gl::Numeric::kFloat, 16, 4)
-                                                           : gl::PlainFormat(gl::Numeric::kFloat, 32, 2);
+                                                           : gl::PlainFormat(gl::Numeric::kFloat, 32, 4);
   Result<gl::Texture> texture = gl::Texture::Create(format, width, height, 1, "attributes of edges: gathered");
   if (!texture) return std::unexpected(texture.error());
   Scratch scratch{.attribute = attribute, .texture = std::move(*texture), .framebuffer = {}};
@@ -80,7 +80,7 @@ Result<const gl::Texture*> EdgeAttributePass::Gather(Attribute attribute, const 
   if (!scratch) return std::unexpected(scratch.error());
 
   (*scratch)->framebuffer.Bind();
-  const float none = is_coverage ? 0.0f : 2.0f * static_cast<float>(kLargestEdgeDistance);
+  const float none = is_coverage ? 0.0f : static_cast<float>(kNoEdgeDistance);
   const std::array<float, 4> empty = {none, none, none, none};
   glClearNamedFramebufferfv((*scratch)->framebuffer.id(), GL_COLOR, 0, empty.data());
   glEnable(GL_BLEND);
