@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -30,14 +31,23 @@ struct Request {
 
 struct FrameInput;
 
-/// An edge of a face, drawn over a picture as an antialiased line one pixel wide, with that face's shading.
+/// An edge of a face, drawn with that face's shading: over a picture as an antialiased line one pixel wide, or into
+/// sums over areas (LineDrawer).
 struct ShadedLine {
   std::uint32_t item = 0;                   ///< index in FrameInput::items
   std::array<std::uint32_t, 2> vertices{};  ///< of its primitive
-  float alpha = 1.0f;
-  float slack = 0.0f;    ///< how far behind the surface, in window depth, it is still drawn
-  bool is_back = false;  ///< the face's back is seen
+  float alpha = 1.0f;                       ///< of a line over a picture
+  float slack = 0.0f;                       ///< window depth: how far behind the picture's surface it is still drawn
+  bool is_back = false;                     ///< the face's back is seen
+  // For areas:
+  bool is_outline = false;  ///< no surface is seen on its other side
+  bool is_flipped = false;  ///< the face lies off the side of (-d.y, d.x), d from vertex to vertex in pixels (y down)
 };
+
+/// Adds to the bound framebuffer's only colour, for each line and each pixel whose square its edge crosses, the face's
+/// scene-linear colour with associated alpha times the area of the pixel beyond the edge: positive where the face lies
+/// beyond, negative where the pixel's centre is on the face's side. Hidden edges add nothing.
+using LineDrawer = std::function<Result<void>(std::span<const ShadedLine> lines)>;
 
 /// What is done about edges when a size's geometry is drawn: core/overdraw. Context's thread only.
 class EdgeStage {
@@ -50,9 +60,9 @@ class EdgeStage {
   /// What is drawn over a colour of this size after its opaque surfaces, in this order; valid until the next call.
   [[nodiscard]] virtual Result<std::span<const ShadedLine>> Lines(const FrameInput& frame, int width, int height) = 0;
   /// Works on a finished colour in place. `color`: one for which CanLoadColor (storage.h) holds; `depth`: what it was
-  /// drawn with (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane).
-  [[nodiscard]] virtual Result<void> Antialias(const FrameInput& frame, const Request& color,
-                                               const gl::Texture& depth) = 0;
+  /// drawn with (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane); `draw_lines`: for targets of the same size.
+  [[nodiscard]] virtual Result<void> Antialias(const FrameInput& frame, const Request& color, const gl::Texture& depth,
+                                               const LineDrawer& draw_lines) = 0;
   /// Fills targets of one size with attributes of edges.
   [[nodiscard]] virtual Result<void> Fill(const FrameInput& frame, std::span<const Request> requests,
                                           const gl::Texture& depth) = 0;

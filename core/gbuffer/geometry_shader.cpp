@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/gbuffer/edge_glsl.h"
 #include "core/gbuffer/gpu_blocks.h"
 #include "core/gbuffer/shading_glsl.h"
 
@@ -49,7 +50,7 @@ void main() {
 constexpr std::string_view kLineBody = R"(
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
-layout(std430, binding = 1) readonly buffer Lines { vec4 lines[]; };   // alpha, slack, 1 where the back is seen
+layout(std430, binding = 1) readonly buffer Lines { vec4 lines[]; };   // alpha, slack, flags: back 1, outline 2, flipped 4
 layout(location = 0) uniform int first_line;
 layout(location = 0) in vec3 in_position[];
 layout(location = 1) in vec3 in_normal[];
@@ -67,10 +68,14 @@ layout(location = 6) out vec3 v_clip;
 layout(location = 7) out vec3 v_previous_clip;
 layout(location = 8) flat out vec4 v_segment;
 layout(location = 9) flat out vec2 v_line;
+layout(location = 10) flat out vec4 v_depth;
 
 vec2 PixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * viewport.xy; }
 
-void Emit(vec4 clip, vec2 offset, float t, float slack) {
+void Emit(vec4 clip, vec2 offset, float t, float slack, vec4 segment, vec2 data, vec4 edge_depth) {
+  v_segment = segment;
+  v_line = data;
+  v_depth = edge_depth;
   v_position = mix(in_position[0], in_position[1], t);
   v_normal = mix(in_normal[0], in_normal[1], t);
   v_tangent = vec4(mix(in_tangent[0].xyz, in_tangent[1].xyz, t), in_tangent[0].w);
@@ -92,15 +97,20 @@ void main() {
   vec4 p = mix(a, b, t0), q = mix(a, b, t1);
   if (p.w <= 0.0 || q.w <= 0.0) return;
   vec4 line = lines[first_line + gl_PrimitiveIDIn];
-  v_segment = vec4(PixelOf(p), PixelOf(q));
-  v_line = line.xz;
-  vec2 d = v_segment.zw - v_segment.xy;
+  int flags = int(line.z);
+  vec4 segment = vec4(PixelOf(p), PixelOf(q));
+  vec2 depths = vec2(p.z / p.w, q.z / q.w);
+  bool flips = (flags & 4) != 0;
+  vec4 oriented = flips ? segment.zwxy : segment;
+  vec4 edge_depth = vec4(flips ? depths.yx : depths, line.y, (flags & 2) != 0 ? -1.0 : 0.0);
+  vec2 data = vec2(line.x, float(flags & 1));
+  vec2 d = segment.zw - segment.xy;
   vec2 along = length(d) > 1e-6 ? normalize(d) : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
-  Emit(p, -along - across, t0, line.y);
-  Emit(p, across - along, t0, line.y);
-  Emit(q, along - across, t1, line.y);
-  Emit(q, along + across, t1, line.y);
+  Emit(p, -along - across, t0, line.y, oriented, data, edge_depth);
+  Emit(p, across - along, t0, line.y, oriented, data, edge_depth);
+  Emit(q, along - across, t1, line.y, oriented, data, edge_depth);
+  Emit(q, along + across, t1, line.y, oriented, data, edge_depth);
   EndPrimitive();
 }
 )";
@@ -110,6 +120,18 @@ constexpr std::string_view kLineFunctions = R"(
 #if IS_LINE
 layout(location = 8) flat in vec4 v_segment;
 layout(location = 9) flat in vec2 v_line;
+bool IsFront() { return v_line.y < 0.5; }
+#if IS_AREA
+layout(location = 10) flat in vec4 v_depth;
+EDGE_AREA_FUNCTIONS
+float LineWeight() {
+  float area, z;
+  bool is_inside;
+  ivec2 to;
+  if (!EdgeArea(area, is_inside, to, z)) discard;
+  return is_inside ? area : -area;
+}
+#else
 float LineWeight() {
   vec2 p = gl_FragCoord.xy - v_segment.xy, d = v_segment.zw - v_segment.xy;
   float size = length(d);
@@ -118,11 +140,17 @@ float LineWeight() {
   float beyond = max(max(-t, t - size), 0.0);
   return v_line.x * clamp(1.0 - abs(dot(p, vec2(-along.y, along.x))), 0.0, 1.0) * clamp(1.0 - beyond, 0.0, 1.0);
 }
-bool IsFront() { return v_line.y < 0.5; }
+#endif
 #else
 bool IsFront() { return gl_FrontFacing; }
 #endif
 )";
+
+std::string LineFunctions() {
+  std::string text(kLineFunctions);
+  constexpr std::string_view kPlace = "EDGE_AREA_FUNCTIONS";
+  return text.replace(text.find(kPlace), kPlace.size(), EdgeAreaFunctions(kDepthUnit));
+}
 
 constexpr std::string_view kFragmentInputs = R"(
 layout(binding = 0) uniform sampler2D base_color_texture;
@@ -261,7 +289,7 @@ constexpr std::string_view kColorStatements = R"(
 #endif
   vec4 color = vec4(max(shaded, vec3(0.0)) * coverage, coverage);
 #if IS_LINE
-  color *= LineWeight();
+  color *= line_weight;
 #endif
 )";
 
@@ -284,6 +312,7 @@ constexpr std::array kFeatureNames = {
     FeatureName{kIsBlend, "IS_BLEND"},
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
     FeatureName{kIsLine, "IS_LINE"},
+    FeatureName{kIsArea, "IS_AREA"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -343,7 +372,7 @@ bool NeedsColor(const std::vector<Output>& outputs) {
 
 std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features) {
   constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;  // a discarded fragment is missing from every attribute
-  std::uint32_t relevant = kDiscards | kIsBlendedColor | kIsLine;
+  std::uint32_t relevant = kDiscards | kIsBlendedColor | kIsLine | kIsArea;
   if ((features & kDiscards) != 0) relevant |= kHasBaseColorTexture;
   for (const Output& output : outputs) {
     const bool is_color = output.is_blended || NeedsColor({output});
@@ -385,7 +414,7 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   text += fmt::format("#define BLEND_CUTOFF {:.3f}\n", kBlendCutoff);
   text += BlockDeclarations();
   text += kFragmentInputs;
-  text += kLineFunctions;
+  text += LineFunctions();
   text += StorageFunctions();
   text += kSurfaceFunctions;
   const bool needs_color = NeedsColor(outputs);
@@ -393,7 +422,7 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   for (const Output& output : outputs) {
     text += fmt::format("layout(location = {0}) out vec4 out{0};\n", output.location);
   }
-  text += "void main() {\n  Surface s = GetSurface();\n";
+  text += "void main() {\n#if IS_LINE\n  float line_weight = LineWeight();\n#endif\n  Surface s = GetSurface();\n";
   text += kCoverage;
   if (needs_color) text += kColorStatements;
   for (const Output& output : outputs) text += OutputStatement(output);

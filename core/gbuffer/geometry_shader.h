@@ -25,6 +25,7 @@ enum DrawFeature : std::uint32_t {
   kHasLights = 1u << 10,  ///< of the scene
   kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
+  kIsArea = 1u << 14,          ///< with kIsLine: times the area beyond the edge, instead of a line's coverage
   kIsLine = 1u << 13,          ///< an edge drawn through LineGeometryText(), for its colour alone
 };
 

@@ -16,6 +16,7 @@ enum StorageBinding : unsigned { kLightBinding = 0, kLineBinding = 1 };
 
 /// Texture units. The first five follow MaterialTexture.
 inline constexpr unsigned kEnvironmentUnit = 5;
+inline constexpr unsigned kDepthUnit = 6;  ///< of areas beyond edges
 
 enum MaterialTexture : std::size_t {
   kBaseColorTexture,

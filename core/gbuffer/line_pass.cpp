@@ -55,7 +55,8 @@ void LinePass::Upload(std::span<const ShadedLine> lines) {
   records.reserve(lines.size());
   for (const ShadedLine& line : lines) {
     indices.insert(indices.end(), line.vertices.begin(), line.vertices.end());
-    records.emplace_back(line.alpha, line.slack, line.is_back ? 1.0f : 0.0f, 0.0f);
+    const int flags = (line.is_back ? 1 : 0) + (line.is_outline ? 2 : 0) + (line.is_flipped ? 4 : 0);
+    records.emplace_back(line.alpha, line.slack, static_cast<float>(flags), 0.0f);
   }
   Fill(indices_, indices.data(), indices.size() * sizeof(std::uint32_t));
   Fill(records_, records.data(), records.size() * sizeof(glm::vec4));
@@ -73,29 +74,18 @@ Result<const gl::Program*> LinePass::ProgramOf(std::uint32_t features) {
   return &programs_.emplace(features, std::move(*program)).first->second;
 }
 
-Result<void> LinePass::Draw(std::span<const ShadedLine> lines, const FrameDraws& draws, int location, int output_count,
-                            MaterialStore& materials) {
-  if (lines.empty()) return {};
+// Lines of one item after another share a call.
+Result<void> LinePass::DrawAll(std::span<const ShadedLine> lines, const FrameDraws& draws, std::uint32_t feature,
+                               MaterialStore& materials) {
   Upload(lines);
   const std::vector<const PreparedDraw*> by_item = ByItem(draws);
-  for (int i = 0; i < output_count; ++i) {
-    const GLboolean mask = i == location ? GL_TRUE : GL_FALSE;
-    glColorMaski(static_cast<GLuint>(i), mask, mask, mask, mask);
-  }
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GEQUAL);
-  glDepthMask(GL_FALSE);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLineBinding, records_.id());
   for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {
     const std::uint32_t item = lines[begin].item;
     while (end < lines.size() && lines[end].item == item) ++end;
     if (item >= by_item.size() || by_item[item] == nullptr) continue;
     const PreparedDraw& draw = *by_item[item];
-    std::uint32_t features = draw.features | kIsLine | (draw.is_blend ? kIsBlendedColor : 0u);
+    std::uint32_t features = draw.features | feature | (draw.is_blend ? kIsBlendedColor : 0u);
     features = RelevantFeatures({ColorOutput()}, features);
     const Result<const gl::Program*> program = ProgramOf(features);
     if (!program) return std::unexpected(program.error());
@@ -111,10 +101,42 @@ Result<void> LinePass::Draw(std::span<const ShadedLine> lines, const FrameDraws&
                    reinterpret_cast<const void*>(2 * begin * sizeof(std::uint32_t)));
     glVertexArrayElementBuffer(array, draw.primitive->indices.id());
   }
+  return {};
+}
+
+Result<void> LinePass::Draw(std::span<const ShadedLine> lines, const FrameDraws& draws, int location, int output_count,
+                            MaterialStore& materials) {
+  if (lines.empty()) return {};
+  for (int i = 0; i < output_count; ++i) {
+    const GLboolean mask = i == location ? GL_TRUE : GL_FALSE;
+    glColorMaski(static_cast<GLuint>(i), mask, mask, mask, mask);
+  }
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  Result<void> drawn = DrawAll(lines, draws, kIsLine, materials);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   for (int i = 0; i < output_count; ++i) glColorMaski(static_cast<GLuint>(i), GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  return {};
+  return drawn;
+}
+
+Result<void> LinePass::AddAreas(std::span<const ShadedLine> lines, const FrameDraws& draws, const gl::Texture& depth,
+                                MaterialStore& materials) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glBindSampler(kDepthUnit, 0);
+  glBindTextureUnit(kDepthUnit, depth.id());
+  Result<void> drawn = DrawAll(lines, draws, kIsLine | kIsArea, materials);
+  glDisable(GL_BLEND);
+  return drawn;
 }
 
 }  // namespace burin::gbuffer

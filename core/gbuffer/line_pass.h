@@ -21,8 +21,13 @@ class LinePass {
   /// Into the bound framebuffer, frame and light blocks bound; `location` is its colour. Other outputs are left alone.
   [[nodiscard]] Result<void> Draw(std::span<const ShadedLine> lines, const FrameDraws& draws, int location,
                                   int output_count, MaterialStore& materials);
+  /// As LineDrawer says; frame and light blocks bound. `depth`: what hides edges.
+  [[nodiscard]] Result<void> AddAreas(std::span<const ShadedLine> lines, const FrameDraws& draws,
+                                      const gl::Texture& depth, MaterialStore& materials);
 
  private:
+  [[nodiscard]] Result<void> DrawAll(std::span<const ShadedLine> lines, const FrameDraws& draws, std::uint32_t feature,
+                                     MaterialStore& materials);
   [[nodiscard]] Result<const gl::Program*> ProgramOf(std::uint32_t features);
   void Upload(std::span<const ShadedLine> lines);
 

@@ -243,9 +243,14 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   if (color_location >= 0 && frame.edges != nullptr && frame.edges->draws_lines()) after_opaque = draw_lines;
   Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_, after_opaque);
   gl::ResetState();
+  const LineDrawer draw_areas = [&](std::span<const ShadedLine> lines) -> Result<void> {
+    if (lines.empty()) return {};
+    BindFrame(frame, size, true);
+    return lines_.AddAreas(lines, draws, (*buffers)->depth, materials_);
+  };
   for (const Request& request : group) {
     const bool smooths = frame.edges != nullptr && frame.edges->antialiases() && IsColorClass(request.attribute);
-    if (result && smooths) result = frame.edges->Antialias(frame, request, (*buffers)->depth);
+    if (result && smooths) result = frame.edges->Antialias(frame, request, (*buffers)->depth, draw_areas);
   }
   return result;
 }

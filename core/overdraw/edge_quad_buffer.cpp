@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/gbuffer/edge_glsl.h"
 #include "core/gl/debug.h"
 
 namespace burin::overdraw {
@@ -81,32 +82,8 @@ void main() {
 )";
 }
 
-// The cut: Liang and Barsky 1984, against the pixel's square.
-std::string_view EdgeFragmentFunctions() {
-  return R"(
-layout(binding = 0) uniform sampler2D depth_texture;
-flat in vec4 v_segment;
-flat in vec4 v_depth;
-
-bool CutToPixel(out vec2 p, out vec2 q, out float z) {
-  vec2 a = v_segment.xy - gl_FragCoord.xy;
-  vec2 d = v_segment.zw - v_segment.xy;
-  vec2 away = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(d, vec2(0.0)));
-  vec2 inverse = away / max(abs(d), vec2(1e-12));
-  vec2 first = (-0.5 * away - a) * inverse;
-  vec2 last = (0.5 * away - a) * inverse;
-  float t0 = max(max(first.x, first.y), 0.0);
-  float t1 = min(min(last.x, last.y), 1.0);
-  p = a + d * t0;
-  q = a + d * t1;
-  z = mix(v_depth.x, v_depth.y, 0.5 * (t0 + t1));
-  return t0 < t1;
-}
-
-float Surface(ivec2 p) { return texelFetch(depth_texture, clamp(p, ivec2(0), textureSize(depth_texture, 0) - 1), 0).r; }
-
-bool IsHidden(ivec2 p, ivec2 q, float z) { return min(Surface(p), Surface(q)) > z + v_depth.z; }
-)";
+std::string EdgeFragmentFunctions() {
+  return "flat in vec4 v_segment;\nflat in vec4 v_depth;\n" + gbuffer::EdgeAreaFunctions(0);
 }
 
 }  // namespace burin::overdraw

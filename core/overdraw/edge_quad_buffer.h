@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/gl/handle.h"
@@ -32,10 +33,8 @@ class EdgeQuadBuffer {
 
 /// A whole vertex shader: flat v_segment and v_depth, as in EdgeVertex.
 [[nodiscard]] std::string_view EdgeQuadVertexText();
-/// GLSL after the version line of a fragment shader: the inputs, the depth texture at unit 0, and
-///   bool CutToPixel(out vec2 p, out vec2 q, out float z)   the part of the edge in this pixel's square about its
-///                                                          centre, and its depth; false when there is none
-///   bool IsHidden(ivec2 p, ivec2 q, float z)               nearer surfaces at both pixels
-[[nodiscard]] std::string_view EdgeFragmentFunctions();
+/// GLSL after the version line of a fragment shader: the inputs, and gbuffer::EdgeAreaFunctions with the depth at unit
+/// 0.
+[[nodiscard]] std::string EdgeFragmentFunctions();
 
 }  // namespace burin::overdraw

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slack: how far behind the picture's surface an edge may lie and still be part of it. At a pixel beside the edge the
-// surface's depth is that of one of the edge's own faces, which falls off by the face's slope: each edge gets the slope
-// of its own faces instead of one offset for all.
 #include "core/overdraw/edge_quads.h"
 
 #include <tbb/blocked_range.h>
@@ -12,17 +9,13 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "core/overdraw/edge_shape.h"
 #include "core/overdraw/screen_projection.h"
 
 namespace burin::overdraw {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
-constexpr float kSlopeReach = 1.5f;      // pixels from the edge to the centres that it is compared with
-constexpr float kRelativeSlack = 4e-6f;  // of the rasterizer's interpolation
-constexpr float kFoldExtents = 1.0f;
-constexpr float kMostFold = 0.02f;      // of the depth
-constexpr float kLargestSlope = 0.25f;   // of what the slope may add, as a share of the depth
 
 struct ScreenSegment {
   ScreenPoint a, b;
@@ -68,50 +61,16 @@ bool CutAtBorder(ScreenSegment& s, float width, float height, float margin) {
   return std::isfinite(s.a.x + s.a.y + s.a.z + s.b.x + s.b.y + s.b.z);
 }
 
-/// True when `corner` lies on the side of (-d.y, d.x) of a to b in the picture, whatever is behind the eye.
-bool IsOnPositiveSide(const glm::vec4& a, const glm::vec4& b, const glm::vec4& corner) {
-  const auto row = [](const glm::vec4& v) { return glm::dvec3(v.x, -v.y, v.w); };
-  return glm::dot(glm::cross(row(a), row(b)), row(corner)) > 0.0;
-}
-
-/// How far the depths of the edge's faces are apart.
-float DepthExtent(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, const Projection& projection) {
-  float low = std::min(a.z / a.w, b.z / b.w);
-  float high = std::max(a.z / a.w, b.z / b.w);
-  for (const glm::vec3& corner : {edge.left_corner, edge.right_corner}) {
-    const glm::vec4 c = projection.Clip(corner);
-    if (!(c.w > 0.0f)) continue;
-    low = std::min(low, c.z / c.w);
-    high = std::max(high, c.z / c.w);
-  }
-  return std::isfinite(high - low) ? high - low : 0.0f;
-}
-
-/// Off an outline's surface everything lies farther off whatever the slope; but where the outline of a mesh folds back
-/// and forth, its own faces cover parts of it, which must count all the same so that the folds cancel out.
-float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, bool is_outline, float depth,
-            const Projection& projection) {
-  if (is_outline) {
-    return depth * kRelativeSlack + std::min(kFoldExtents * DepthExtent(edge, a, b, projection), kMostFold * depth);
-  }
-  const float slope = std::min(projection.Slope(a, b, projection.Clip(edge.left_corner)),
-                               projection.Slope(a, b, projection.Clip(edge.right_corner)));
-  return depth * kRelativeSlack + std::min(kSlopeReach * slope, kLargestSlope * depth);
-}
-
 /// Writes four vertices, or false.
 bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projection& projection, EdgeVertex* out) {
   if (!options.keeps_seams && edge.edge_class == EdgeClass::kSeam) return false;
-  glm::vec4 clip_a = projection.Clip(edge.ends[0]);
-  glm::vec4 clip_b = projection.Clip(edge.ends[1]);
+  const EdgeShape shape = ShapeOf(edge, projection);
+  glm::vec4 clip_a = shape.a;
+  glm::vec4 clip_b = shape.b;
   float kind = static_cast<float>(edge.edge_class);
-  const bool left = IsOnPositiveSide(clip_a, clip_b, projection.Clip(edge.left_corner));
-  const bool right = IsOnPositiveSide(clip_a, clip_b, projection.Clip(edge.right_corner));
-  // An outline unless a surface is seen on either side.
-  const bool is_outline = !edge.shows_left || !edge.shows_right || left == right;
-  if (is_outline) {
+  if (shape.is_outline) {
     kind = -1.0f - kind;
-    if (!(edge.shows_left ? left : right)) std::swap(clip_a, clip_b);
+    if (!shape.OutlineIsPositive(edge)) std::swap(clip_a, clip_b);
   }
   std::optional<ScreenSegment> cut = CutAtNear(clip_a, clip_b, projection);
   if (!cut) return false;
@@ -125,9 +84,8 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   const glm::vec2 across(-along.y, along.x);
   // Half the extent of a pixel's square in any of the two directions is (|x| + |y|) / 2.
   const float grow = options.reach + 0.5f * (std::abs(along.x) + std::abs(along.y)) + 0.01f;
-  const float depth = std::max(cut->a.z, cut->b.z);
   const glm::vec4 segment(a.x, a.y, b.x, b.y);
-  const glm::vec4 depths(cut->a.z, cut->b.z, Slack(edge, clip_a, clip_b, is_outline, depth, projection), kind);
+  const glm::vec4 depths(cut->a.z, cut->b.z, shape.slack, kind);
   for (int corner = 0; corner < 4; ++corner) {
     const glm::vec2 end = (corner & 1) != 0 ? b + along * grow : a - along * grow;
     const glm::vec2 p = end + across * ((corner & 2) != 0 ? grow : -grow);

@@ -2,8 +2,10 @@
 #include "core/overdraw/edge_renderer.h"
 
 #include "core/gbuffer/frame_blocks.h"
+#include "core/overdraw/edge_attribute_pass.h"
 #include "core/overdraw/edge_lines.h"
 #include "core/overdraw/edge_quad_buffer.h"
+#include "core/overdraw/line_edges.h"
 #include "core/overdraw/resolve_pass.h"
 #include "core/overdraw/scene_edges.h"
 
@@ -12,28 +14,36 @@ namespace {
 
 class Renderer final : public EdgeRenderer {
  public:
-  Renderer(const scene::Scene& scene, const EdgeOptions& options) : mode_(options.mode), edges_(scene, options) {}
+  Renderer(const scene::Scene& scene, const EdgeOptions& options) : options_(options), edges_(scene, options) {}
 
   void BeginFrame() override { frame_ = nullptr; }
   std::vector<std::string> TakeNotes() override { return edges_.TakeNotes(); }
-  [[nodiscard]] bool antialiases() const override { return mode_ == EdgeMode::kResolve; }
-  [[nodiscard]] bool draws_lines() const override { return mode_ == EdgeMode::kUnsorted || mode_ == EdgeMode::kSorted; }
+  [[nodiscard]] bool antialiases() const override { return options_.mode == EdgeMode::kResolve; }
+  [[nodiscard]] bool draws_lines() const override {
+    return options_.mode == EdgeMode::kUnsorted || options_.mode == EdgeMode::kSorted;
+  }
 
   Result<std::span<const gbuffer::ShadedLine>> Lines(const gbuffer::FrameInput& frame, int width, int height) override {
     if (auto found = FindEdges(frame); !found) return std::unexpected(found.error());
-    BuildShadedLines(frame_->segments, gbuffer::ClipFromWorld(frame.view), width, height, lines_);
-    return std::span<const gbuffer::ShadedLine>(lines_);
+    BuildShadedLines(frame_->segments, gbuffer::ClipFromWorld(frame.view), width, height, shaded_lines_);
+    return std::span<const gbuffer::ShadedLine>(shaded_lines_);
   }
 
-  Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color,
-                         const gl::Texture& depth) override {
-    if (auto built = BuildQuads(frame, depth, 0.0f); !built) return built;
+  Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color, const gl::Texture& depth,
+                         const gbuffer::LineDrawer& draw_lines) override {
+    if (auto found = FindEdges(frame); !found) return found;
+    BuildQuads(frame_->segments, frame, depth);
+    BuildAreaLines(frame_->segments, gbuffer::ClipFromWorld(frame.view), depth.width(), depth.height(), area_lines_);
     const gbuffer::Storage storage{color.attribute, color.target->format(), color.encoding};
-    return resolve_.Draw(*color.target, storage, depth, quads_);
+    return resolve_.Draw(*color.target, storage, depth, quads_, area_lines_, draw_lines);
   }
 
-  Result<void> Fill(const gbuffer::FrameInput&, std::span<const gbuffer::Request>, const gl::Texture&) override {
-    return {};
+  Result<void> Fill(const gbuffer::FrameInput& frame, std::span<const gbuffer::Request> requests,
+                    const gl::Texture& depth) override {
+    if (auto found = FindEdges(frame); !found) return found;
+    SelectLines(frame_->segments, options_.crease_angle_deg, lines_);
+    BuildQuads(lines_, frame, depth);
+    return attributes_.Draw(requests, depth, quads_);
   }
 
  private:
@@ -45,26 +55,26 @@ class Renderer final : public EdgeRenderer {
     return {};
   }
 
-  /// The frame's edges, in quads for a picture of the size of `depth`.
-  Result<void> BuildQuads(const gbuffer::FrameInput& frame, const gl::Texture& depth, float reach) {
-    if (auto found = FindEdges(frame); !found) return found;
+  /// For a picture of the size of `depth`.
+  void BuildQuads(std::span<const EdgeSegment> segments, const gbuffer::FrameInput& frame, const gl::Texture& depth) {
     QuadOptions options;
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
     options.height = depth.height();
-    options.reach = reach;
-    BuildEdgeQuads(frame_->segments, options, vertices_);
+    BuildEdgeQuads(segments, options, vertices_);
     quads_.Upload(vertices_);
-    return {};
   }
 
-  EdgeMode mode_;
+  EdgeOptions options_;
   SceneEdges edges_;
   const FrameEdges* frame_ = nullptr;
+  std::vector<EdgeSegment> lines_;
   std::vector<EdgeVertex> vertices_;
-  std::vector<gbuffer::ShadedLine> lines_;
+  std::vector<gbuffer::ShadedLine> shaded_lines_;
+  AreaLines area_lines_;
   EdgeQuadBuffer quads_;
   ResolvePass resolve_;
+  EdgeAttributePass attributes_;
 };
 
 }  // namespace

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The area beyond an edge, seen from the pixel's centre, is the sector of the pixel's square between the edge's ends
+// less the triangle of the centre and the edge. The sectors of a chain of edges add up, so however many short edges
+// cross a pixel, the sum is the area beyond the chain: no samples, nothing that steps as the picture moves.
+// The cut: Liang and Barsky 1984, against the pixel's square.
+#include "core/gbuffer/edge_glsl.h"
+
+#include <fmt/format.h>
+
+namespace burin::gbuffer {
+
+std::string EdgeAreaFunctions(unsigned unit) {
+  return fmt::format("layout(binding = {}) uniform sampler2D depth_texture;\n", unit) + R"(
+bool CutToPixel(out vec2 p, out vec2 q, out float z) {
+  vec2 a = v_segment.xy - gl_FragCoord.xy;
+  vec2 d = v_segment.zw - v_segment.xy;
+  vec2 away = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(d, vec2(0.0)));
+  vec2 inverse = away / max(abs(d), vec2(1e-12));
+  vec2 first = (-0.5 * away - a) * inverse;
+  vec2 last = (0.5 * away - a) * inverse;
+  float t0 = max(max(first.x, first.y), 0.0);
+  float t1 = min(min(last.x, last.y), 1.0);
+  p = a + d * t0;
+  q = a + d * t1;
+  z = mix(v_depth.x, v_depth.y, 0.5 * (t0 + t1));
+  return t0 < t1;
+}
+
+float SurfaceDepth(ivec2 p) { return texelFetch(depth_texture, clamp(p, ivec2(0), textureSize(depth_texture, 0) - 1), 0).r; }
+
+bool IsHidden(ivec2 p, ivec2 q, float z) { return min(SurfaceDepth(p), SurfaceDepth(q)) > z + v_depth.z; }
+
+// Where a direction from the centre meets the square's border: length along it in pixels, 0 to 4.
+float Perimeter(vec2 v) {
+  vec2 s = v / max(max(abs(v.x), abs(v.y)), 1e-12);
+  if (abs(v.x) >= abs(v.y)) return v.x >= 0.0 ? 0.5 * s.y : 2.0 - 0.5 * s.y;
+  return v.y >= 0.0 ? 1.0 - 0.5 * s.x : 3.0 + 0.5 * s.x;
+}
+
+bool EdgeArea(out float area, out bool is_inside, out ivec2 to, out float z) {
+  vec2 p, q;
+  if (!CutToPixel(p, q, z)) return false;
+  float along = Perimeter(q) - Perimeter(p);
+  along -= 4.0 * round(0.25 * along);
+  area = 0.25 * abs(along) - 0.5 * abs(p.x * q.y - p.y * q.x);
+  vec2 d = v_segment.zw - v_segment.xy;
+  vec2 inwards = vec2(-d.y, d.x);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  is_inside = dot(inwards, p + q) > 0.0;
+  // Through the very centre: the centre is on an outline's surface if the picture has it there.
+  bool crosses = max(abs(p.x), abs(p.y)) > 0.4999 && max(abs(q.x), abs(q.y)) > 0.4999;
+  if (v_depth.w < 0.0 && crosses && abs(dot(inwards, p + q)) < 0.04 * length(d)) {
+    is_inside = SurfaceDepth(pixel) < z - v_depth.z;
+  }
+  vec2 across = is_inside ? inwards : -inwards;
+  bool is_wide = abs(across.x) >= abs(across.y);
+  to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
+  return area > 0.0 && !IsHidden(pixel, pixel + to, z);
+}
+)";
+}
+
+}  // namespace burin::gbuffer
