@@ -37,25 +37,27 @@ float Perimeter(vec2 v) {
   return v.y >= 0.0 ? 1.0 - 0.5 * s.x : 3.0 + 0.5 * s.x;
 }
 
-bool EdgeArea(out float area, out bool is_inside, out ivec2 to, out float z) {
+struct Beyond { float area; float along; bool is_inside; ivec2 to; float z; };
+
+bool EdgeArea(out Beyond beyond) {
   vec2 p, q;
-  if (!CutToPixel(p, q, z)) return false;
+  if (!CutToPixel(p, q, beyond.z)) return false;
   float along = Perimeter(q) - Perimeter(p);
-  along -= 4.0 * round(0.25 * along);
-  area = 0.25 * abs(along) - 0.5 * abs(p.x * q.y - p.y * q.x);
+  beyond.along = abs(along - 4.0 * round(0.25 * along));
+  beyond.area = 0.25 * beyond.along - 0.5 * abs(p.x * q.y - p.y * q.x);
   vec2 d = v_segment.zw - v_segment.xy;
   vec2 inwards = vec2(-d.y, d.x);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  is_inside = dot(inwards, p + q) > 0.0;
+  beyond.is_inside = dot(inwards, p + q) > 0.0;
   // Through the very centre: the centre is on an outline's surface if the picture has it there.
   bool crosses = max(abs(p.x), abs(p.y)) > 0.4999 && max(abs(q.x), abs(q.y)) > 0.4999;
   if (v_depth.w < 0.0 && crosses && abs(dot(inwards, p + q)) < 0.04 * length(d)) {
-    is_inside = SurfaceDepth(pixel) < z - v_depth.z;
+    beyond.is_inside = SurfaceDepth(pixel) < beyond.z - v_depth.z;
   }
-  vec2 across = is_inside ? inwards : -inwards;
+  vec2 across = beyond.is_inside ? inwards : -inwards;
   bool is_wide = abs(across.x) >= abs(across.y);
-  to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
-  return area > 0.0 && !IsHidden(pixel, pixel + to, z);
+  beyond.to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
+  return beyond.area > 0.0 && !IsHidden(pixel, pixel + beyond.to, beyond.z);
 }
 )";
 }

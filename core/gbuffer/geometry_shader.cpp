@@ -125,11 +125,9 @@ bool IsFront() { return v_line.y < 0.5; }
 layout(location = 10) flat in vec4 v_depth;
 EDGE_AREA_FUNCTIONS
 float LineWeight() {
-  float area, z;
-  bool is_inside;
-  ivec2 to;
-  if (!EdgeArea(area, is_inside, to, z)) discard;
-  return is_inside ? area : -area;
+  Beyond beyond;
+  if (!EdgeArea(beyond)) discard;
+  return beyond.is_inside ? beyond.area : -beyond.area;
 }
 #else
 float LineWeight() {

@@ -79,6 +79,7 @@ void BuildAreaLines(std::span<const EdgeSegment> segments, const glm::mat4& clip
   };
   for (const EdgeSegment& edge : segments) {
     const EdgeShape shape = ShapeOf(edge, projection);
+    if (!shape.is_thin) continue;
     if (shape.is_outline) {
       // The face that looks towards the eye, where both are on the screen: a double-sided mesh.
       const bool takes_left = edge.shows_left && (edge.is_left_front || !edge.shows_right);

@@ -67,7 +67,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   const EdgeShape shape = ShapeOf(edge, projection);
   glm::vec4 clip_a = shape.a;
   glm::vec4 clip_b = shape.b;
-  float kind = static_cast<float>(edge.edge_class);
+  float kind = static_cast<float>(edge.edge_class) + (options.marks_thin && shape.is_thin ? kThin : 0.0f);
   if (shape.is_outline) {
     kind = -1.0f - kind;
     if (!shape.OutlineIsPositive(edge)) std::swap(clip_a, clip_b);

@@ -18,15 +18,19 @@ struct EdgeVertex {
   /// side of (-d.y, d.x), d from the first end to the second.
   glm::vec4 segment;
   /// Reversed window depth at the ends; slack (edge_quads.cpp); EdgeClass, or -1 - EdgeClass where the surface is seen
-  /// on one side only: an outline.
+  /// on one side only: an outline; with
+  /// QuadOptions::marks_thin, kThin farther from 0 where the edge is thin (edge_shape.h).
   glm::vec4 depth;
 };
+
+inline constexpr float kThin = 8.0f;
 
 struct QuadOptions {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one
   int width = 0;                    ///< pixels
   int height = 0;
-  float reach = 0.0f;       ///< pixels beyond the squares that the edge touches
+  float reach = 0.0f;  ///< pixels beyond the squares that the edge touches
+  bool marks_thin = false;
   bool keeps_seams = true;  ///< else edges of class kSeam are left out
 };
 

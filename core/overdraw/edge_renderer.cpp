@@ -32,7 +32,7 @@ class Renderer final : public EdgeRenderer {
   Result<void> Antialias(const gbuffer::FrameInput& frame, const gbuffer::Request& color, const gl::Texture& depth,
                          const gbuffer::LineDrawer& draw_lines) override {
     if (auto found = FindEdges(frame); !found) return found;
-    BuildQuads(frame_->segments, frame, depth);
+    BuildQuads(frame_->segments, frame, depth, true);
     BuildAreaLines(frame_->segments, gbuffer::ClipFromWorld(frame.view), depth.width(), depth.height(), area_lines_);
     const gbuffer::Storage storage{color.attribute, color.target->format(), color.encoding};
     return resolve_.Draw(*color.target, storage, depth, quads_, area_lines_, draw_lines);
@@ -42,7 +42,7 @@ class Renderer final : public EdgeRenderer {
                     const gl::Texture& depth) override {
     if (auto found = FindEdges(frame); !found) return found;
     SelectLines(frame_->segments, options_.crease_angle_deg, lines_);
-    BuildQuads(lines_, frame, depth);
+    BuildQuads(lines_, frame, depth, false);
     return attributes_.Draw(requests, depth, quads_);
   }
 
@@ -56,11 +56,13 @@ class Renderer final : public EdgeRenderer {
   }
 
   /// For a picture of the size of `depth`.
-  void BuildQuads(std::span<const EdgeSegment> segments, const gbuffer::FrameInput& frame, const gl::Texture& depth) {
+  void BuildQuads(std::span<const EdgeSegment> segments, const gbuffer::FrameInput& frame, const gl::Texture& depth,
+                  bool marks_thin) {
     QuadOptions options;
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
     options.height = depth.height();
+    options.marks_thin = marks_thin;
     BuildEdgeQuads(segments, options, vertices_);
     quads_.Upload(vertices_);
   }

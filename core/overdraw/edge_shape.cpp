@@ -11,6 +11,8 @@
 namespace burin::overdraw {
 namespace {
 
+constexpr float kThinLength = 1.5f;  // pixels
+constexpr float kThinHeight = 2.0f;
 constexpr float kSlopeReach = 1.5f;      // pixels from the edge to the centres that it is compared with
 constexpr float kRelativeSlack = 4e-6f;  // of the rasterizer's interpolation
 constexpr float kFoldExtents = 1.0f;
@@ -48,6 +50,24 @@ float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, boo
   return depth * kRelativeSlack + std::min(kSlopeReach * slope, kLargestSlope * depth);
 }
 
+/// The edge, or the height above it of a face that shows, is below these many pixels.
+bool IsThin(const EdgeSegment& edge, const EdgeShape& shape, const Projection& projection) {
+  if (!(shape.a.w > 0.0f) || !(shape.b.w > 0.0f)) return false;
+  const ScreenPoint a = projection.Screen(shape.a);
+  const ScreenPoint b = projection.Screen(shape.b);
+  const glm::vec2 d(b.x - a.x, b.y - a.y);
+  const float length = glm::length(d);
+  if (!(length >= kThinLength)) return true;
+  const auto height = [&](const glm::vec3& corner) {
+    const glm::vec4 clip = projection.Clip(corner);
+    if (!(clip.w > 0.0f)) return kThinHeight;
+    const ScreenPoint c = projection.Screen(clip);
+    return std::abs(d.x * (c.y - a.y) - d.y * (c.x - a.x)) / length;
+  };
+  return (edge.shows_left && height(edge.left_corner) < kThinHeight) ||
+         (edge.shows_right && height(edge.right_corner) < kThinHeight);
+}
+
 }  // namespace
 
 EdgeShape ShapeOf(const EdgeSegment& edge, const Projection& projection) {
@@ -61,6 +81,7 @@ EdgeShape ShapeOf(const EdgeSegment& edge, const Projection& projection) {
   const float b = shape.b.z / shape.b.w;
   const float depth = shape.a.w > 0.0f && shape.b.w > 0.0f && std::isfinite(a + b) ? std::max(a, b) : 1.0f;
   shape.slack = Slack(edge, shape.a, shape.b, shape.is_outline, depth, projection);
+  shape.is_thin = IsThin(edge, shape, projection);
   return shape;
 }
 

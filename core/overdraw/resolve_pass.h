@@ -30,7 +30,7 @@ class ResolvePass {
     gbuffer::Storage storage;
     gl::Program program;
   };
-  enum Sum : std::size_t { kCovered, kExposed, kOthers, kInner, kOutline, kSums };
+  enum Sum : std::size_t { kCovered, kExposed, kAcross, kOthers, kInner, kOutline, kSums };
   /// Scratch of one size and format, clean between calls.
   struct Scratch {
     gl::Texture copy;
