@@ -100,13 +100,17 @@ void main() {
     vec4 near = sums.y > 0.0 ? shade : centre;
     color += (-sum / back) * Neighbours(p, exposed) + sum * near;
   }
-  vec4 low = centre, high = centre;
-  for (int i = 0; i < 9; ++i) {
-    vec4 c = Linear(p + ivec2(i % 3 - 1, i / 3 - 1));
-    low = min(low, c);
-    high = max(high, c);
+  color = max(color, vec4(0.0));
+  // Shading at the edge itself may catch a highlight that no pixel has.
+  if (sums.y > 0.0 && front + back < 0.0005) {
+    vec4 low = centre, high = centre;
+    for (int i = 0; i < 9; ++i) {
+      vec4 c = Linear(p + ivec2(i % 3 - 1, i / 3 - 1));
+      low = min(low, c);
+      high = max(high, c);
+    }
+    color = clamp(color, low, high);
   }
-  color = front + back < 0.0005 ? clamp(color, low, high) : max(color, vec4(0.0));
   result = STORE;
 }
 )";
