@@ -99,6 +99,31 @@ TEST_F(EdgeAttribute, SquareHasBoundaries) {
   }
 }
 
+TEST_F(EdgeAttribute, SharpCornersKeepTheirSides) {
+  scene::Primitive spike;
+  spike.positions = {{-0.8f, 0.21f, 0}, {-0.8f, -0.05f, 0}, {0.53f, 0.02f, 0}};
+  spike.normals.assign(3, {0, 0, 1});
+  spike.indices = {0, 1, 2};
+  TestScene test;
+  test.AddNode(test.AddMesh(spike), Translate(0, 0, -5));
+  std::vector<Line> outline;
+  const auto at = [&](std::size_t i) { return Project(Orthographic(), spike.positions[i % 3], kWidth, kWidth); };
+  for (std::size_t i = 0; i < 3; ++i) outline.push_back({at(i), at(i + 1)});
+  const Picture picture = RenderEdges(test, Orthographic(), Attribute::kEdgeDist, kWidth, kWidth);
+  for (int y = 0; y < kWidth; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const Point p(x + 0.5, y + 0.5);
+      const double distance = Distance(outline, p);
+      if (distance > 15.9) continue;
+      const bool is_inside = std::ranges::all_of(outline, [&](const Line& line) {
+        const Point d = line.b - line.a, q = p - line.a;
+        return d.x * q.y - d.y * q.x < 0.0;
+      });
+      ASSERT_NEAR(picture.At(x, y)[0], is_inside ? -distance : distance, kDistanceTolerance) << x << "," << y;
+    }
+  }
+}
+
 TEST_F(EdgeAttribute, DistancesAreInPixelsOfTheTarget) {
   const Turned square(Square(), 0.0f, 30.0f, kShifts[1], 3);
   ExpectDistances(RenderEdges(square.scene, square.view, Attribute::kEdgeDist, 3 * kWidth, 3 * kHeight), square, 3);

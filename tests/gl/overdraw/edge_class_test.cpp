@@ -105,7 +105,8 @@ TEST_F(EdgeClasses, LinesEndAtWhatIsInFront) {
       const double expected = Distance(seen, p);
       if (expected < 15.9) {
         const double found = distances.At(x, y)[0];
-        ASSERT_NEAR(p.x > 16.7 ? -found : std::abs(found), expected, 1e-3) << x << "," << y;
+        // Lines end within half a pixel of what hides them, which only the wall behind the ends can tell.
+        ASSERT_NEAR(p.x > 16.7 ? -found : std::abs(found), expected, p.x > 16.7 ? 0.3 : 1e-3) << x << "," << y;
       }
       if (p.x > 18.5) {
         ASSERT_THAT(edges.At(x, y), Each(0.0f)) << x << "," << y;
