@@ -115,6 +115,16 @@ TEST_F(EdgeClasses, LinesEndAtWhatIsInFront) {
   }
 }
 
+TEST_F(EdgeClasses, WhatLiesJustUnderAPlaneHasNone) {
+  TestScene test;
+  const glm::mat4 lying = glm::rotate(glm::mat4(1.0f), glm::radians(-90.0f), glm::vec3(1, 0, 0));
+  test.AddNode(test.AddMesh(Square()), glm::scale(lying, glm::vec3(20)));
+  test.AddNode(test.AddMesh(Square()), Translate(0, -0.01f, 0) * lying);
+  scene::View view = Perspective(0.3f, 1.0f);
+  view.view_from_world = glm::lookAt(glm::vec3(0.5f, 3, 9), glm::vec3(0), glm::vec3(0, 1, 0));
+  EXPECT_THAT(RenderEdges(test, view, Attribute::kEdges, 60, 60).values, Each(0.0f));
+}
+
 TEST_F(EdgeClasses, DoNotDependOnWhatElseIsRendered) {
   // A pane that is blended and hides what is behind it from data: its alpha is above a half.
   TestScene test = Of(Square());
