@@ -21,6 +21,9 @@ run render filter/supersample examples/still_life.glb -o "$out/supersample.exr" 
 # The scene itself, and its G-buffer as the layers of one EXR.
 run render examples/still_life.glb -o "$out/still_life.png" --size 1024x1024
 run render examples/still_life.glb --attributes color,normal,depth,position,objectid,velocity -o "$out/gbuffer.exr" --size 1024x1024
+# Lines from the scene's own edges: an effect that inks them, and the attributes that it reads.
+run render npr/ink examples/still_life.glb -o "$out/ink.png" --size 1024x1024
+run render examples/still_life.glb --attributes color,edges,edgedist -o "$out/edge_lines.exr" --size 1024x1024
 # An animation to video.
 run render edges/dilated_edges examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk_edges.mkv"
 run render examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk.mkv"

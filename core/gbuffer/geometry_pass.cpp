@@ -59,7 +59,8 @@ Result<const gl::Program*> GeometryPass::ProgramOf(Phase phase, std::uint32_t fe
 Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> draws, std::uint32_t block_buffer,
                                      MaterialStore& materials) {
   const std::vector<Output> outputs = OutputsOf(phase);
-  if (outputs.empty()) return {};
+  // Without any outputs the pass is there for its depth.
+  if (outputs.empty() && (!outputs_.empty() || phase == Phase::kBlendedColor)) return {};
   for (const Output& output : outputs_) {
     const bool is_written = std::ranges::find(outputs, output.location, &Output::location) != outputs.end();
     const GLboolean mask = is_written ? GL_TRUE : GL_FALSE;

@@ -302,7 +302,9 @@ Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> 
   std::set<Size> sizes;
   for (const std::vector<Request>& group : GroupRequests(drawn)) {
     const Size size = SizeOf(group.front());
-    sizes.insert(size);
+    // What is blended is left out of the depth of colour alone.
+    const bool is_whole = draws->blended.empty() || !std::ranges::all_of(group, IsColorClass, &Request::attribute);
+    is_whole ? void(sizes.insert(size)) : void(sizes.erase(size));
     if (Result<void> result = RenderGroup(frame, *draws, size, group, takes_over); !result) return result;
   }
   for (const auto& [size, resolve] : resolves) {

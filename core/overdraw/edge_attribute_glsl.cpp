@@ -6,8 +6,9 @@
 // end, so the nearest point of the kept part is all that a pixel has to ask about.
 //
 // An outline has its surface on one side, curved towards the eye as steeply as may be: only the nearest pixel off that
-// surface tells. What stands on a plane has the plane in front of its lower outline there, one pixel nearer to the eye;
-// three pixels in a row that lie in one plane are therefore followed to the edge.
+// surface tells. What stands on a plane has the plane in front of its lower outline there, one pixel nearer to the eye,
+// and what lies just under a plane has it behind its upper one; three pixels in a row that lie in one plane are
+// therefore followed to the edge.
 #include "core/overdraw/edge_attribute_glsl.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ layout(binding = 0) uniform sampler2D depth_texture;
 
 const float SNAP = 1.0 / 128.0;        // pixels: the rasterizer's corners lie on a grid
 const float PLANE = 0.1;               // of the step between two pixels: how little a plane may bend
+const float FOLLOWED = 0.02;           // of that step: how exactly a plane is followed, the grid's width included
 const float ROUNDING = 2e-5;           // of the depth
 
 // Pixels from the picture's border to where edges end: beyond it nothing hides them.
@@ -62,12 +64,11 @@ bool IsSeen(vec4 segment, vec4 depth, float t) {
   float first = away < 0 ? below : above;
   ivec2 p = line + stride * int(floor(first));
   if (away > 0) s0 = Surface(p);
-  if (s0 <= z + depth.z) return true;
   float s1 = Surface(p + stride * away);
   float s2 = Surface(p + stride * (2 * away));
   float change = s0 - s1;
-  if (abs(change - (s1 - s2)) > PLANE * abs(change) + ROUNDING * z) return false;
-  return s0 + change * abs(first - x) <= z + depth.z + PLANE * abs(change);
+  if (abs(change - (s1 - s2)) > PLANE * abs(change) + ROUNDING * z) return s0 <= z + depth.z;
+  return s0 + change * abs(first - x) <= z + depth.z + FOLLOWED * abs(change);
 }
 )";
 

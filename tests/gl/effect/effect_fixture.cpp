@@ -34,7 +34,7 @@ std::shared_ptr<const fx::Effect> Compile(const std::string& path, const fx::Fil
                         "normal",       "viewnormal",     "tangent",  "position", "viewposition", "screenposition",
                         "texcoord",     "texcoord1",      "vertexcolor", "objectid", "materialid", "primitiveid",
                         "facing",       "velocity",       "emissive", "roughness", "metallic",    "lightdepth",
-                        "video"};
+                        "video",        "edges",          "edgedist"};
   fx::CompileResult result = fx::CompileEffect(path, files, options);
   if (!result.effect) {
     std::string text;

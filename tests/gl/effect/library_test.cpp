@@ -336,6 +336,37 @@ TEST(Library, GbufferEdgesFollowIdsDepthAndNormals) {
   EXPECT_EQ(run(one, one, [](int x, int) { return x < 12 ? Rgba{0, 1, 0, 1} : Rgba{1, 0, 0, 1}; }), 2 * kSize);
 }
 
+TEST(Library, InkLinesAreAsWideAsAsked) {
+  constexpr int kSize = 32;
+  // An edge at x = 16 + shift; an outline's surface lies to its right.
+  const auto ink_of_a_row = [&](bool is_outline, float shift, const char* parameter, const char* width) {
+    Bench bench(CompileFile("effects/npr/ink.fx"), kSize, kSize,
+                {{"Weight", "0"}, {"Wash", "0"}, {"InkColor", "0,0,0"}, {"PaperColor", "1,1,1"}, {parameter, width}});
+    const auto distance = [&](int x) { return 16.0f + shift - (static_cast<float>(x) + 0.5f); };
+    bench.Fill("color", MakeImage(kSize, kSize, image::SampleType::kU8, [](int, int) { return Rgba{1, 0, 0, 1}; }));
+    bench.Fill("edgedist", MakeImage(kSize, kSize, image::SampleType::kF32, [&](int x, int) {
+                 return Rgba{is_outline ? distance(x) : std::abs(distance(x)), 1, 1, 1};
+               }));
+    bench.Fill("edges", MakeImage(kSize, kSize, image::SampleType::kU8, [&](int x, int) {
+                 const float coverage = std::max(0.0f, 1.0f - std::abs(distance(x)));
+                 return is_outline ? Rgba{coverage, 0, 0, 0} : Rgba{0, coverage, 0, 0};
+               }));
+    const PixelMap frame = bench.RunPixels();
+    float ink = 0;
+    for (int x = 0; x < kSize; ++x) ink += 1.0f - frame.at(x, 16)[0];
+    return ink;
+  };
+  for (const float shift : {0.0f, 0.25f, 0.5f, 0.8f}) {
+    SCOPED_TRACE(shift);
+    EXPECT_NEAR(ink_of_a_row(true, shift, "OutlineWidth", "3"), 3.0f, 0.02f);
+    EXPECT_NEAR(ink_of_a_row(true, shift, "OutlineWidth", "6.5"), 6.5f, 0.02f);
+    EXPECT_NEAR(ink_of_a_row(true, shift, "OutlineWidth", "0"), 0.0f, 0.02f);
+    EXPECT_NEAR(ink_of_a_row(false, shift, "CreaseWidth", "1.5"), 1.5f, 0.02f);
+    EXPECT_NEAR(ink_of_a_row(false, shift, "CreaseWidth", "4"), 4.0f, 0.02f);
+    EXPECT_NEAR(ink_of_a_row(false, shift, "CreaseWidth", "0"), 0.0f, 0.02f);
+  }
+}
+
 TEST(Library, GoochShadesBetweenCoolAndWarm) {
   auto quad = gl::FullscreenQuad::Create();
   ASSERT_TRUE(quad.has_value());

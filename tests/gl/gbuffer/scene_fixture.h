@@ -155,6 +155,7 @@ class GbufferTest : public gl::ContextTest {
     frame.pose = &pose;
     frame.items = items;
     frame.background = background_;
+    frame.edges = edges_;
     const Result<void> result = renderer->Render(frame, requests);
     ASSERT_TRUE(result.has_value()) << result.error().message;
   }
@@ -163,6 +164,7 @@ class GbufferTest : public gl::ContextTest {
   std::optional<scene::View> previous_view_;
   std::function<void(std::vector<scene::DrawItem>&)> change_items_;
   glm::vec4 background_{0.0f};
+  EdgeStage* edges_ = nullptr;
 };
 
 /// An equirectangular map of one radiance.

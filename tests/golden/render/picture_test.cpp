@@ -85,6 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"supersample", "filter/supersample.fx", kStill, "", 1, kShaded},
                     Case{"gaussian", "filter/gaussian.fx", kStill, "", 1, kShaded},
                     Case{"screening", "npr/screening.fx", kStill, "", 1, kThresholded},
+                    Case{"ink", "npr/ink.fx", kStill, "", 1, kThresholded},
                     Case{"gooch", "npr/gooch.fx", kStill, "", 1, kShaded}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
