@@ -78,7 +78,7 @@ std::string Describe(const EdgeMesh& mesh) {
   const char* const way = mesh.is_deformed    ? "a scan, as it moves"
                           : mesh.tree.empty() ? "a scan, as it is small"
                                               : "a tree";
-  return fmt::format("{}: {} faces, {} edges, {} sharp, {} at boundaries; silhouettes by {}", mesh.name,
+  return fmt::format("mesh \"{}\": {} faces, {} edges, {} sharp, {} at boundaries; silhouettes by {}", mesh.name,
                      mesh.face_count(), mesh.edges.size(), mesh.sharp.size(), mesh.boundaries.size(), way);
 }
 
@@ -103,7 +103,7 @@ Result<SceneEdges::Object> SceneEdges::Build(Items items) {
     // Kinds, paths and concavity are those of the pose that the file holds, whatever frame is drawn first.
     joined.Add(primitive, primitive.positions, is_double_sided);
   }
-  const std::string name = mesh_name.empty() ? fmt::format("mesh {}", first.mesh) : fmt::format("\"{}\"", mesh_name);
+  const std::string name = mesh_name.empty() ? fmt::format("#{}", first.mesh) : mesh_name;
   EdgeMeshOptions options;
   options.crease_angle_deg = options_.crease_angle_deg;
   options.keeps_concave = options_.mode == EdgeMode::kResolve;

@@ -2,7 +2,7 @@
 // Coverage and distances against closed forms.
 #include <gmock/gmock.h>
 
-#include "tests/gl/overdraw/edge_fixture.h"
+#include "tests/gl/overdraw/edge_attribute_fixture.h"
 
 namespace burin::overdraw {
 namespace {

@@ -2,7 +2,7 @@
 // Which edges are lines, in which channel, and where something hides them.
 #include <gmock/gmock.h>
 
-#include "tests/gl/overdraw/edge_fixture.h"
+#include "tests/gl/overdraw/edge_attribute_fixture.h"
 
 namespace burin::overdraw {
 namespace {
