@@ -37,14 +37,14 @@ float Perimeter(vec2 v) {
   return v.y >= 0.0 ? 1.0 - 0.5 * s.x : 3.0 + 0.5 * s.x;
 }
 
-struct Beyond { float area; float along; bool is_inside; ivec2 to; float z; };
+struct Beyond { float area; bool is_inside; ivec2 to; float z; };
 
 bool EdgeArea(out Beyond beyond) {
   vec2 p, q;
   if (!CutToPixel(p, q, beyond.z)) return false;
   float along = Perimeter(q) - Perimeter(p);
-  beyond.along = abs(along - 4.0 * round(0.25 * along));
-  beyond.area = 0.25 * beyond.along - 0.5 * abs(p.x * q.y - p.y * q.x);
+  along = abs(along - 4.0 * round(0.25 * along));
+  beyond.area = 0.25 * along - 0.5 * abs(p.x * q.y - p.y * q.x);
   vec2 d = v_segment.zw - v_segment.xy;
   vec2 inwards = vec2(-d.y, d.x);
   ivec2 pixel = ivec2(gl_FragCoord.xy);

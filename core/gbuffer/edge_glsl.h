@@ -13,11 +13,11 @@ namespace burin::gbuffer {
 ///                                                          centre, and its depth; false when there is none
 ///   float SurfaceDepth(ivec2 p)                                 the depth of the picture there
 ///   bool IsHidden(ivec2 p, ivec2 q, float z)               nearer surfaces at both pixels
-///   struct Beyond { float area; float along; bool is_inside; ivec2 to; float z; }
-///   bool EdgeArea(out Beyond beyond)   the part of this pixel beyond the edge, seen from the centre: its area, its
-///   share
-///                                      of the square's border (in pixels, 0 to 2), whether it is on the side of
-///                                      (-d.y, d.x), the neighbour there; false when there is nothing to be seen
+///   struct Beyond { float area; bool is_inside; ivec2 to; float z; }
+///   bool EdgeArea(out Beyond beyond)   the part of this pixel beyond the edge, seen from the centre: its area, whether
+///   it
+///                                      is on the side of (-d.y, d.x), the neighbour there, the edge's depth; false
+///                                      when there is nothing to be seen
 [[nodiscard]] std::string EdgeAreaFunctions(unsigned unit);
 
 }  // namespace burin::gbuffer

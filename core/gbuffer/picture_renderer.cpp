@@ -65,7 +65,7 @@ std::string FragmentText(const ProgramKey& key) {
       text += "  vec4 display = stored, scene = SceneFromDisplay(stored);\n";
       break;
     case image::Encoding::kSceneLinear:
-      text += "  vec4 display = DisplayFromScene(stored), scene = stored;\n";
+      text += "  vec4 display = DisplayFromScene(stored), on_black = DisplayOnBlack(stored), scene = stored;\n";
       break;
     case image::Encoding::kData:
       text += "  vec4 display = stored, scene = stored;\n";
@@ -73,11 +73,13 @@ std::string FragmentText(const ProgramKey& key) {
   }
   for (std::size_t i = 0; i < key.storages.size(); ++i) {
     const bool wants_display = key.storages[i].encoding == image::Encoding::kDisplay;
+    const bool is_on_black = key.picture_encoding == image::Encoding::kSceneLinear && !KeepsAlpha(key.storages[i]);
     const bool wants_data = key.storages[i].encoding == image::Encoding::kData;
     text += fmt::format("  out{} = {};\n", i,
-                        StorePictureExpression(key.storages[i], wants_data      ? "stored"
-                                                                : wants_display ? "display"
-                                                                                : "scene"));
+                        StorePictureExpression(key.storages[i], wants_data       ? "stored"
+                                                                : !wants_display ? "scene"
+                                                                : is_on_black    ? "on_black"
+                                                                                 : "display"));
   }
   return text + "}\n";
 }

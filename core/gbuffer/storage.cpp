@@ -26,6 +26,7 @@ vec3 SrgbDecode(vec3 c) {
   return mix(c / 12.92, pow((max(c, vec3(0.04045)) + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 vec4 DisplayFromScene(vec4 c) { return vec4(c.a > 0.0 ? SrgbEncode(c.rgb / c.a) : vec3(0.0), c.a); }
+vec4 DisplayOnBlack(vec4 c) { return vec4(SrgbEncode(c.rgb), c.a); }
 vec4 SceneFromDisplay(vec4 c) { return vec4(SrgbDecode(c.rgb) * c.a, c.a); }
 vec4 ClampToHalf(vec4 v) { return clamp(v, vec4(-65504.0), vec4(65504.0)); }
 float WrapId(uint id, uint last) { return id == 0u ? 0.0 : float((id - 1u) % last + 1u); }
@@ -35,6 +36,8 @@ float SrgbEncode(float c) {
   if (c <= 0.0031308f) return 12.92f * std::max(c, 0.0f);
   return 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
 }
+
+Vector DisplayOnBlack(const Vector& c) { return {SrgbEncode(c[0]), SrgbEncode(c[1]), SrgbEncode(c[2]), c[3]}; }
 
 Vector DisplayFromScene(const Vector& c) {
   if (c[3] <= 0.0f) return {0, 0, 0, c[3]};
@@ -197,12 +200,19 @@ std::string StoreExpression(const Storage& storage, std::string_view value) {
   if (info.is_id) return IsUnorm(storage) ? StoreUnormId(storage, value) : StoreFloatId(storage, value);
   const bool is_picture = IsColorClass(storage.attribute) || storage.attribute == Attribute::kVideo;
   if (is_picture) {
-    return StoreConverted(storage,
-                          IsDisplay(storage) ? fmt::format("DisplayFromScene({})", value) : std::string(value));
+    return StoreConverted(storage, !IsDisplay(storage)   ? std::string(value)
+                                   : KeepsAlpha(storage) ? fmt::format("DisplayFromScene({})", value)
+                                                         : fmt::format("DisplayOnBlack({})", value));
   }
   const std::string converted =
       IsDisplay(storage) ? fmt::format("vec4(SrgbEncode(({0}).rgb), ({0}).a)", value) : std::string(value);
   return Limit(storage, Place(storage, Expand(storage, converted, info.is_signed && IsUnorm(storage))));
+}
+
+bool KeepsAlpha(const Storage& storage) {
+  if (storage.attribute == Attribute::kIntensity) return false;
+  if (gl::IsLuminance(storage.format)) return AlphaSlot(storage.format) != 0;
+  return storage.format.components == 4 || gl::IsAlphaOnly(storage.format);
 }
 
 bool CanLoadColor(const Storage& storage) {
@@ -222,7 +232,8 @@ std::string StorePictureExpression(const Storage& storage, std::string_view valu
 std::array<float, 4> StoredBackground(const Storage& storage, const std::array<float, 4>& color) {
   Vector value = Info(storage.attribute).background;
   if (IsColorClass(storage.attribute)) {
-    value = IsDisplay(storage) ? DisplayFromScene(color) : color;
+    if (IsDisplay(storage)) value = KeepsAlpha(storage) ? DisplayFromScene(color) : DisplayOnBlack(color);
+    if (!IsDisplay(storage)) value = color;
     if (storage.attribute == Attribute::kIntensity) value = {Luma(value), 0, 0, 0};
     if (storage.attribute == Attribute::kAlpha) value = {value[3], 0, 0, 0};
   }

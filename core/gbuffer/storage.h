@@ -28,6 +28,9 @@ struct Storage {
 /// is scene-linear with associated alpha; 4-component data keeps its alpha) or uint for ids.
 [[nodiscard]] std::string StoreExpression(const Storage& storage, std::string_view value);
 
+/// True where a target holds the alpha of its colour; without it colour stands on black.
+[[nodiscard]] bool KeepsAlpha(const Storage& storage);
+
 /// True where the scene-linear colour with associated alpha can be read back: `color` in a target that keeps red, green
 /// and blue.
 [[nodiscard]] bool CanLoadColor(const Storage& storage);

@@ -72,14 +72,13 @@ void BuildAreaLines(std::span<const EdgeSegment> segments, const glm::mat4& clip
   lines.outlines.clear();
   const auto add = [](std::vector<gbuffer::ShadedLine>& list, gbuffer::ShadedLine line, const EdgeShape& shape,
                       bool is_positive) {
-    line.slack = shape.slack;
+    line.slack = shape.fold_slack;
     line.is_outline = shape.is_outline;
     line.is_flipped = !is_positive;
     list.push_back(line);
   };
   for (const EdgeSegment& edge : segments) {
     const EdgeShape shape = ShapeOf(edge, projection);
-    if (!shape.is_thin) continue;
     if (shape.is_outline) {
       // The face that looks towards the eye, where both are on the screen: a double-sided mesh.
       const bool takes_left = edge.shows_left && (edge.is_left_front || !edge.shows_right);

@@ -16,7 +16,7 @@ namespace burin::overdraw {
 void BuildShadedLines(std::span<const EdgeSegment> segments, const glm::mat4& clip_from_world, int width, int height,
                       std::vector<gbuffer::ShadedLine>& lines);
 
-/// The shading on both sides of a picture's thin edges (edge_shape.h), for the resolve: `inner`, the two faces of every
+/// The shading on both sides of a picture's edges, for the resolve: `inner`, the two faces of every
 /// edge both of whose sides show a surface; `outlines`, the face of every other edge.
 struct AreaLines {
   std::vector<gbuffer::ShadedLine> inner, outlines;

@@ -15,7 +15,7 @@ struct EdgeOptions {
   /// Faces that meet at more are a crease even where the shading is smooth. 0..180.
   float crease_angle_deg = 60.0f;
   /// Of the asymmetric map (Sander et al. 2001, section 3.3): how far a sharp edge is turned before the shading of its
-  /// right face joins that of its left one. 0..1, below 1.
+  /// right face joins that of its left one. 0..1.
   float tau = 0.9f;
   /// kSorted: the edges of all objects in one order; else object by object, as the paper draws single models.
   bool sorts_whole_scene = true;

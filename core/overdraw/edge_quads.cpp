@@ -67,7 +67,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   const EdgeShape shape = ShapeOf(edge, projection);
   glm::vec4 clip_a = shape.a;
   glm::vec4 clip_b = shape.b;
-  float kind = static_cast<float>(edge.edge_class) + (options.marks_thin && shape.is_thin ? kThin : 0.0f);
+  float kind = static_cast<float>(edge.edge_class);
   if (shape.is_outline) {
     kind = -1.0f - kind;
     if (!shape.OutlineIsPositive(edge)) std::swap(clip_a, clip_b);
@@ -85,7 +85,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   // Half the extent of a pixel's square in any of the two directions is (|x| + |y|) / 2.
   const float grow = options.reach + 0.5f * (std::abs(along.x) + std::abs(along.y)) + 0.01f;
   const glm::vec4 segment(a.x, a.y, b.x, b.y);
-  const glm::vec4 depths(cut->a.z, cut->b.z, shape.slack, kind);
+  const glm::vec4 depths(cut->a.z, cut->b.z, (options.sums_folds ? shape.fold_slack : shape.slack), kind);
   for (int corner = 0; corner < 4; ++corner) {
     const glm::vec2 end = (corner & 1) != 0 ? b + along * grow : a - along * grow;
     const glm::vec2 p = end + across * ((corner & 2) != 0 ? grow : -grow);

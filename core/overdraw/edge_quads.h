@@ -17,20 +17,17 @@ struct EdgeVertex {
   /// Both ends in pixels, x right and y down from the picture's top left corner. The surface of an outline lies on the
   /// side of (-d.y, d.x), d from the first end to the second.
   glm::vec4 segment;
-  /// Reversed window depth at the ends; slack (edge_quads.cpp); EdgeClass, or -1 - EdgeClass where the surface is seen
-  /// on one side only: an outline; with
-  /// QuadOptions::marks_thin, kThin farther from 0 where the edge is thin (edge_shape.h).
+  /// Reversed window depth at the ends; slack (edge_shape.h); EdgeClass, or -1 - EdgeClass where the surface is seen
+  /// on one side only: an outline.
   glm::vec4 depth;
 };
-
-inline constexpr float kThin = 8.0f;
 
 struct QuadOptions {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one
   int width = 0;                    ///< pixels
   int height = 0;
-  float reach = 0.0f;  ///< pixels beyond the squares that the edge touches
-  bool marks_thin = false;
+  float reach = 0.0f;       ///< pixels beyond the squares that the edge touches
+  bool sums_folds = false;  ///< EdgeShape::fold_slack instead of slack
   bool keeps_seams = true;  ///< else edges of class kSeam are left out
 };
 

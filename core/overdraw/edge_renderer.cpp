@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/overdraw/edge_renderer.h"
 
+#include <fmt/format.h>
+
 #include "core/gbuffer/frame_blocks.h"
 #include "core/overdraw/edge_attribute_pass.h"
 #include "core/overdraw/edge_lines.h"
@@ -12,12 +14,24 @@
 namespace burin::overdraw {
 namespace {
 
+// Where so much of a frame lies near edges, they are finer than its pixels.
+constexpr float kManyEdges = 0.5f;
+
 class Renderer final : public EdgeRenderer {
  public:
   Renderer(const scene::Scene& scene, const EdgeOptions& options) : options_(options), edges_(scene, options) {}
 
   void BeginFrame() override { frame_ = nullptr; }
-  std::vector<std::string> TakeNotes() override { return edges_.TakeNotes(); }
+  std::vector<std::string> TakeNotes() override {
+    std::vector<std::string> notes = edges_.TakeNotes();
+    if (resolve_.share() && !told_share_) {
+      told_share_ = true;
+      notes.push_back(fmt::format("{:.0f} % of the frame lies within 2 pixels of a visible edge{}",
+                                  100.0f * *resolve_.share(),
+                                  *resolve_.share() > kManyEdges ? ": --samples 4 or 16 serves it better" : ""));
+    }
+    return notes;
+  }
   [[nodiscard]] bool antialiases() const override { return options_.mode == EdgeMode::kResolve; }
   [[nodiscard]] bool draws_lines() const override {
     return options_.mode == EdgeMode::kUnsorted || options_.mode == EdgeMode::kSorted;
@@ -57,12 +71,12 @@ class Renderer final : public EdgeRenderer {
 
   /// For a picture of the size of `depth`.
   void BuildQuads(std::span<const EdgeSegment> segments, const gbuffer::FrameInput& frame, const gl::Texture& depth,
-                  bool marks_thin) {
+                  bool sums_folds) {
     QuadOptions options;
     options.clip_from_world = gbuffer::ClipFromWorld(frame.view);
     options.width = depth.width();
     options.height = depth.height();
-    options.marks_thin = marks_thin;
+    options.sums_folds = sums_folds;
     BuildEdgeQuads(segments, options, vertices_);
     quads_.Upload(vertices_);
   }
@@ -76,6 +90,7 @@ class Renderer final : public EdgeRenderer {
   AreaLines area_lines_;
   EdgeQuadBuffer quads_;
   ResolvePass resolve_;
+  bool told_share_ = false;
   EdgeAttributePass attributes_;
 };
 

@@ -11,13 +11,10 @@
 namespace burin::overdraw {
 namespace {
 
-constexpr float kThinLength = 1.5f;  // pixels
-constexpr float kThinHeight = 2.0f;
 constexpr float kSlopeReach = 1.5f;      // pixels from the edge to the centres that it is compared with
 constexpr float kRelativeSlack = 4e-6f;  // of the rasterizer's interpolation
-constexpr float kFoldExtents = 1.0f;
-constexpr float kMostFold = 0.02f;      // of the depth
-constexpr float kLargestSlope = 0.25f;  // of what the slope may add, as a share of the depth
+constexpr float kMostFold = 0.02f;       // of the depth
+constexpr float kLargestSlope = 0.25f;   // of what the slope may add, as a share of the depth
 
 /// True when `corner` lies on the side of (-d.y, d.x) of a to b in the picture, whatever is behind the eye.
 bool IsOnPositiveSide(const glm::vec4& a, const glm::vec4& b, const glm::vec4& corner) {
@@ -38,34 +35,13 @@ float DepthExtent(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& 
   return std::isfinite(high - low) ? high - low : 0.0f;
 }
 
-/// Off an outline's surface everything lies farther off whatever the slope; but where the outline of a mesh folds back
-/// and forth, its own faces cover parts of it, which must count all the same so that the folds cancel out.
+/// Off an outline's surface everything lies farther off whatever the slope.
 float Slack(const EdgeSegment& edge, const glm::vec4& a, const glm::vec4& b, bool is_outline, float depth,
             const Projection& projection) {
-  if (is_outline) {
-    return depth * kRelativeSlack + std::min(kFoldExtents * DepthExtent(edge, a, b, projection), kMostFold * depth);
-  }
+  if (is_outline) return depth * kRelativeSlack;
   const float slope = std::min(projection.Slope(a, b, projection.Clip(edge.left_corner)),
                                projection.Slope(a, b, projection.Clip(edge.right_corner)));
   return depth * kRelativeSlack + std::min(kSlopeReach * slope, kLargestSlope * depth);
-}
-
-/// The edge, or the height above it of a face that shows, is below these many pixels.
-bool IsThin(const EdgeSegment& edge, const EdgeShape& shape, const Projection& projection) {
-  if (!(shape.a.w > 0.0f) || !(shape.b.w > 0.0f)) return false;
-  const ScreenPoint a = projection.Screen(shape.a);
-  const ScreenPoint b = projection.Screen(shape.b);
-  const glm::vec2 d(b.x - a.x, b.y - a.y);
-  const float length = glm::length(d);
-  if (!(length >= kThinLength)) return true;
-  const auto height = [&](const glm::vec3& corner) {
-    const glm::vec4 clip = projection.Clip(corner);
-    if (!(clip.w > 0.0f)) return kThinHeight;
-    const ScreenPoint c = projection.Screen(clip);
-    return std::abs(d.x * (c.y - a.y) - d.y * (c.x - a.x)) / length;
-  };
-  return (edge.shows_left && height(edge.left_corner) < kThinHeight) ||
-         (edge.shows_right && height(edge.right_corner) < kThinHeight);
 }
 
 }  // namespace
@@ -81,7 +57,10 @@ EdgeShape ShapeOf(const EdgeSegment& edge, const Projection& projection) {
   const float b = shape.b.z / shape.b.w;
   const float depth = shape.a.w > 0.0f && shape.b.w > 0.0f && std::isfinite(a + b) ? std::max(a, b) : 1.0f;
   shape.slack = Slack(edge, shape.a, shape.b, shape.is_outline, depth, projection);
-  shape.is_thin = IsThin(edge, shape, projection);
+  shape.fold_slack = shape.slack;
+  if (shape.is_outline) {
+    shape.fold_slack += std::min(DepthExtent(edge, shape.a, shape.b, projection), kMostFold * depth);
+  }
   return shape;
 }
 

@@ -14,9 +14,10 @@ struct EdgeShape {
   /// The face lies on the side of (-d.y, d.x), d from a to b in pixels (x right, y down).
   bool is_left_positive = false, is_right_positive = false;
   bool is_outline = false;  ///< no surface is seen on one of its sides
-  /// So close to other edges, or so short, that the pixels beside it may not show its faces: its colours are shaded.
-  bool is_thin = false;
-  float slack = 0.0f;  ///< window depth: how far behind the picture's surface it may lie and still be part of it
+  float slack = 0.0f;       ///< window depth: how far behind the picture's surface it may lie and still be part of it
+  /// The same where folds are summed: where the outline of a mesh folds back and forth, its own faces cover parts of
+  /// it, which must count all the same so that the folds cancel out.
+  float fold_slack = 0.0f;
 
   /// The side on which an outline's surface is seen.
   [[nodiscard]] bool OutlineIsPositive(const EdgeSegment& edge) const {

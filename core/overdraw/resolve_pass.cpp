@@ -17,37 +17,31 @@
 
 #include "core/gbuffer/edge_glsl.h"
 #include "core/gl/framebuffer.h"
+#include "core/gl/readback.h"
 #include "core/gl/state.h"
+#include "core/overdraw/edge_share.h"
 
 namespace burin::overdraw {
 namespace {
 
-// Towards the right, left, lower and upper neighbour: areas that an outline's surface covers though the centre is off
-// it, where the neighbour is on it; areas that it leaves free though the centre is on its side; areas beyond inner
-// edges. Then NeedsShade's sums.
+// Of outlines, towards the right, left, lower and upper neighbour: areas that the surface covers though the centre is
+// off it, where the neighbour is on it; areas that it leaves free though the centre is on its side. Sums: x, covered
+// areas whose neighbour is not on the surface; y, areas beyond edges that are no outlines; w, all areas.
 constexpr std::string_view kAreaBody = R"(
 layout(location = 0) out vec4 covered;
 layout(location = 1) out vec4 exposed;
-layout(location = 2) out vec4 across;
-layout(location = 3) out vec4 sums;
+layout(location = 2) out vec4 sums;
 
 void main() {
   Beyond beyond;
   if (!EdgeArea(beyond)) discard;
   vec4 areas = beyond.area * max(vec4(beyond.to.x, -beyond.to.x, beyond.to.y, -beyond.to.y), vec4(0.0));
-  bool is_thin = v_depth.w >= THIN || v_depth.w < -THIN;
-  covered = exposed = across = vec4(0.0);
+  covered = exposed = vec4(0.0);
   sums = vec4(0.0, 0.0, 0.0, beyond.area);
-  if (v_depth.w >= 0.0) {
-    if (is_thin) sums.y = beyond.area;
-    else across = areas;
-    return;
-  }
-  if (is_thin) sums.z = beyond.is_inside ? beyond.area : -beyond.area;
   float nearest = beyond.z - max(v_depth.z, NEAR_ENOUGH * beyond.z);
-  bool is_seen = SurfaceDepth(ivec2(gl_FragCoord.xy) + beyond.to) >= nearest;
-  if (!beyond.is_inside) exposed = areas;
-  else if (is_seen || !is_thin) covered = areas;
+  if (v_depth.w >= 0.0) sums.y = beyond.area;
+  else if (!beyond.is_inside) exposed = areas;
+  else if (SurfaceDepth(ivec2(gl_FragCoord.xy) + beyond.to) >= nearest) covered = areas;
   else sums.x = beyond.area;
 }
 )";
@@ -55,11 +49,10 @@ void main() {
 constexpr std::string_view kBlendBody = R"(
 layout(binding = 1) uniform sampler2D covered_texture;
 layout(binding = 2) uniform sampler2D exposed_texture;
-layout(binding = 3) uniform sampler2D across_texture;
-layout(binding = 4) uniform sampler2D sums_texture;
-layout(binding = 5) uniform sampler2D inner_texture;
-layout(binding = 6) uniform sampler2D outline_texture;
-layout(binding = 7) uniform sampler2D picture;
+layout(binding = 3) uniform sampler2D sums_texture;
+layout(binding = 4) uniform sampler2D inner_texture;
+layout(binding = 5) uniform sampler2D outline_texture;
+layout(binding = 6) uniform sampler2D picture;
 layout(location = 0) out vec4 result;
 
 vec4 Linear(ivec2 p) {
@@ -88,12 +81,10 @@ void main() {
   float sum = clamp(front - back, -1.0, 1.0);
   vec4 centre = Linear(p);
   // What an outline's surface looks like where the centre may not show it.
-  vec4 shade = abs(sums.z) > 0.01 ? max(texelFetch(outline_texture, p, 0) / sums.z, vec4(0.0)) : centre;
+  bool needs_shade = (sums.x > 0.0 || sums.y > 0.0) && abs(front - back) > 0.01;
+  vec4 shade = needs_shade ? max(texelFetch(outline_texture, p, 0) / (front - back), vec4(0.0)) : centre;
   vec4 color = centre;
   if (sums.y > 0.0) color += texelFetch(inner_texture, p, 0);
-  vec4 across = texelFetch(across_texture, p, 0);
-  float inner = dot(across, vec4(1.0));
-  if (inner > 0.0) color += (Neighbours(p, across) - inner * centre) / max(inner, 1.0);
   if (sum > 0.0) {
     color += (sum / front) * (Neighbours(p, covered) + sums.x * shade) - sum * centre;
   } else if (sum < 0.0) {
@@ -121,16 +112,14 @@ layout(location = 1) out vec4 b;
 layout(location = 2) out vec4 c;
 layout(location = 3) out vec4 d;
 layout(location = 4) out vec4 e;
-layout(location = 5) out vec4 f;
-void main() { a = b = c = d = e = f = vec4(0.0); }
+void main() { a = b = c = d = e = vec4(0.0); }
 )";
 
 // A neighbour this much behind the edge, as a share of the depth, may still be on the outline's surface.
 constexpr float kNearEnough = 0.02f;
 
 std::string AreaText() {
-  std::string text =
-      fmt::format("#version 450 core\nconst float NEAR_ENOUGH = {};\nconst float THIN = {:.1f};\n", kNearEnough, kThin);
+  std::string text = fmt::format("#version 450 core\nconst float NEAR_ENOUGH = {};\n", kNearEnough);
   text += EdgeFragmentFunctions();
   text += kAreaBody;
   return text;
@@ -228,15 +217,15 @@ Result<void> ResolvePass::Draw(const gl::Texture& color, const gbuffer::Storage&
   if (!scratch) return std::unexpected(scratch.error());
   const gl::Texture& copy = (*scratch)->copy;
   const std::array<gl::Texture, kSums>& sums = (*scratch)->sums;
-  const std::array<const gl::Texture*, kSums> all = {&sums[0], &sums[1], &sums[2], &sums[3], &sums[4], &sums[5]};
+  const std::array<const gl::Texture*, kSums> all = {&sums[0], &sums[1], &sums[2], &sums[3], &sums[4]};
   const std::array<const gl::Texture*, 1> color_targets = {&color};
 
   gl::ResetState();
   glCopyImageSubData(color.id(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.id(), GL_TEXTURE_2D, 0, 0, 0, 0, color.width(),
                      color.height(), 1);
   const auto bind = [&] {
-    const std::array<GLuint, 8> textures = {depth.id(),   sums[0].id(), sums[1].id(), sums[2].id(),
-                                            sums[3].id(), sums[4].id(), sums[5].id(), copy.id()};
+    const std::array<GLuint, 7> textures = {depth.id(),   sums[0].id(), sums[1].id(), sums[2].id(),
+                                            sums[3].id(), sums[4].id(), copy.id()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) {
       glBindSampler(unit, 0);
       glBindTextureUnit(unit, textures[unit]);
@@ -251,6 +240,7 @@ Result<void> ResolvePass::Draw(const gl::Texture& color, const gbuffer::Storage&
   gl::ResetState();
   bind();
   if (auto drawn = DrawInto(color_targets, **blend, quads); !drawn) return drawn;
+  if (!share_) share_ = ShareNearEdges(gl::Read(sums[kOthers], image::SampleType::kF32, 4, image::Encoding::kData));
   return DrawInto(all, clean_program_, quads);
 }
 

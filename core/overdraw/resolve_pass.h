@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/base/error.h"
@@ -25,12 +26,15 @@ class ResolvePass {
                                   const EdgeQuadBuffer& quads, const AreaLines& lines,
                                   const gbuffer::LineDrawer& draw_lines);
 
+  /// Of the first picture that had edges: see ShareNearEdges.
+  [[nodiscard]] std::optional<float> share() const { return share_; }
+
  private:
   struct Blend {
     gbuffer::Storage storage;
     gl::Program program;
   };
-  enum Sum : std::size_t { kCovered, kExposed, kAcross, kOthers, kInner, kOutline, kSums };
+  enum Sum : std::size_t { kCovered, kExposed, kOthers, kInner, kOutline, kSums };
   /// Scratch of one size and format, clean between calls.
   struct Scratch {
     gl::Texture copy;
@@ -43,6 +47,7 @@ class ResolvePass {
   gl::Program clean_program_;
   std::vector<Blend> blends_;
   std::vector<Scratch> scratches_;
+  std::optional<float> share_;
 };
 
 }  // namespace burin::overdraw

@@ -250,6 +250,10 @@ RenderedFrame FrameRenderer::Finish() {
   return frame;
 }
 
+std::vector<std::string> FrameRenderer::TakeNotes() {
+  return scene_ ? scene_->TakeNotes() : std::vector<std::string>();
+}
+
 std::vector<std::string> FrameRenderer::TakeWarnings() {
   return chain_ ? chain_->TakeWarnings() : std::vector<std::string>();
 }

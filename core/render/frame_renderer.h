@@ -44,6 +44,8 @@ class FrameRenderer {
   [[nodiscard]] RenderedFrame Finish();
 
   [[nodiscard]] std::vector<std::string> TakeWarnings();
+  /// What is worth a line of --verbose, each once.
+  [[nodiscard]] std::vector<std::string> TakeNotes();
   [[nodiscard]] const std::vector<std::string>& choices() const;
 
  private:

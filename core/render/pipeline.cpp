@@ -124,6 +124,7 @@ class Pipeline {
       const auto drawn = renderer_.Render(*frame);
       pool_.Give(frame->picture);
       for (const std::string& warning : renderer_.TakeWarnings()) progress_.Warning(warning);
+      for (const std::string& note : renderer_.TakeNotes()) progress_.Info(note);
       if (!drawn && !outcome_.Failed(frame->number, drawn.error())) return;
     }
     while (!Halted() && renderer_.in_flight() > 0) {

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/effect/effect_runner.h"
@@ -30,6 +32,8 @@ class SceneStage {
                                                                   const SceneOptions& options, PictureStage& pictures);
 
   [[nodiscard]] Result<void> Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
+  /// What is worth a line of --verbose, each once.
+  [[nodiscard]] std::vector<std::string> TakeNotes() { return edges_->TakeNotes(); }
   /// The draws for custom attributes; valid while `frame` is and until the next Fill.
   [[nodiscard]] effect::SceneDraws Draws(const SceneFrame& frame);
 

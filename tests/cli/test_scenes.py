@@ -74,7 +74,7 @@ class Scenes(BurinTest):
         self.assertEqual(read_png(self.folder / "c.png")[0][0][:4], [0x33, 0x66, 0x99, 255])
 
     def test_samples_smooth_edges_and_leave_ids_alone(self):
-        still = ("--background", "white", *SIZE)
+        still = ("--background", "white", "--edges", "off", *SIZE)
         self.burin("render", self.scene, "-o", "default.png", *still)
         for samples in ("1", "4", "16"):
             self.burin("render", self.scene, "-o", f"s{samples}.png", "--samples", samples, *still)

@@ -68,7 +68,7 @@ class Mutation : public ::testing::Test {
       EXPECT_TRUE(p.normals.empty() || p.normals.size() == p.positions.size());
       EXPECT_TRUE(!item.is_deformed || item.deformed.previous_positions.size() == p.positions.size());
     }
-    const CameraChoice choice{SelectCamera(*scene, "").value(), ComputeBounds(*scene, items)};
+    const CameraChoice choice{SelectCamera(*scene, "").value(), ComputeBounds(*scene, items), {}};
     static_cast<void>(MakeView(*scene, choice, pose, 64, 64, 10.0));
     EXPECT_FALSE(DescribeScene(*scene, true).empty());
     return true;
