@@ -81,8 +81,11 @@ void main() {
   float sum = clamp(front - back, -1.0, 1.0);
   vec4 centre = Linear(p);
   // What an outline's surface looks like where the centre may not show it.
-  bool needs_shade = (sums.x > 0.0 || sums.y > 0.0) && abs(front - back) > 0.01;
-  vec4 shade = needs_shade ? max(texelFetch(outline_texture, p, 0) / (front - back), vec4(0.0)) : centre;
+  vec4 shade = centre;
+  if (sums.x > 0.0 || sums.y > 0.0) {
+    vec4 outline = texelFetch(outline_texture, p, 0);
+    if (abs(outline.a) > 0.01) shade = max(outline / outline.a, vec4(0.0));
+  }
   vec4 color = centre;
   if (sums.y > 0.0) color += texelFetch(inner_texture, p, 0);
   if (sum > 0.0) {
@@ -92,8 +95,8 @@ void main() {
     color += (-sum / back) * Neighbours(p, exposed) + sum * near;
   }
   color = max(color, vec4(0.0));
-  // Shading at the edge itself may catch a highlight that no pixel has.
-  if (sums.y > 0.0 && front + back < 0.0005) {
+  // Shading at the edge itself may catch a highlight that no pixel has, and differences of highlights leave holes.
+  if (sums.y > 0.0) {
     vec4 low = centre, high = centre;
     for (int i = 0; i < 9; ++i) {
       vec4 c = Linear(p + ivec2(i % 3 - 1, i / 3 - 1));
