@@ -9,23 +9,12 @@
 #include <vector>
 
 #include "core/gbuffer/gpu_blocks.h"
-#include "core/gl/debug.h"
+#include "core/gl/buffer.h"
 
 namespace burin::gbuffer {
 namespace {
 
 constexpr int kFirstLineLocation = 0;
-
-gl::BufferHandle NewBuffer(const char* label) {
-  GLuint id = 0;
-  glCreateBuffers(1, &id);
-  gl::SetLabel(GL_BUFFER, id, label);
-  return gl::BufferHandle(id);
-}
-
-void Fill(const gl::BufferHandle& buffer, const void* data, std::size_t bytes) {
-  glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
-}
 
 Output ColorOutput() {
   return {.location = 0,
@@ -46,7 +35,7 @@ std::vector<const PreparedDraw*> ByItem(const FrameDraws& draws) {
 
 }  // namespace
 
-LinePass::LinePass() : indices_(NewBuffer("lines: indices")), records_(NewBuffer("lines")) {}
+LinePass::LinePass() : indices_(gl::CreateBuffer("lines: indices")), records_(gl::CreateBuffer("lines")) {}
 
 void LinePass::Upload(std::span<const ShadedLine> lines) {
   std::vector<std::uint32_t> indices;
@@ -58,8 +47,8 @@ void LinePass::Upload(std::span<const ShadedLine> lines) {
     const int flags = (line.is_back ? 1 : 0) + (line.is_outline ? 2 : 0) + (line.is_flipped ? 4 : 0);
     records.emplace_back(line.alpha, line.slack, static_cast<float>(flags), 0.0f);
   }
-  Fill(indices_, indices.data(), indices.size() * sizeof(std::uint32_t));
-  Fill(records_, records.data(), records.size() * sizeof(glm::vec4));
+  gl::StreamInto(indices_, indices.data(), indices.size() * sizeof(std::uint32_t));
+  gl::StreamInto(records_, records.data(), records.size() * sizeof(glm::vec4));
 }
 
 Result<const gl::Program*> LinePass::ProgramOf(std::uint32_t features) {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/gl/debug.h"
+#include "core/gl/buffer.h"
 #include "core/gl/vertex_layout.h"
 
 namespace burin::gbuffer {
@@ -43,13 +43,6 @@ std::size_t TotalBytes(std::span<const Stream> streams) {
   std::size_t total = 0;
   for (const Stream& stream : streams) total += stream.bytes.size();
   return total;
-}
-
-gl::BufferHandle NewBuffer(const char* label) {
-  GLuint id = 0;
-  glCreateBuffers(1, &id);
-  gl::SetLabel(GL_BUFFER, id, label);
-  return gl::BufferHandle(id);
 }
 
 gl::VertexArrayHandle NewVertexArray(GLuint indices) {
@@ -141,8 +134,8 @@ Result<GpuPrimitive> Upload(const scene::Primitive& source, const scene::DrawIte
   GpuPrimitive primitive;
   primitive.mode = ModeOf(source.mode);
   primitive.index_count = static_cast<int>(source.indices.size());
-  primitive.indices = NewBuffer("indices");
-  primitive.vertices = NewBuffer("vertices");
+  primitive.indices = gl::CreateBuffer("indices");
+  primitive.vertices = gl::CreateBuffer("vertices");
   primitive.vertex_array = NewVertexArray(primitive.indices.id());
   primitive.effect_vertex_array = NewVertexArray(primitive.indices.id());
   primitive.has_texcoords = !source.texcoords[0].empty();
@@ -160,7 +153,7 @@ Result<GpuPrimitive> Upload(const scene::Primitive& source, const scene::DrawIte
   Fill(primitive.vertices.id(), streams);
   AttachAll(primitive, primitive.vertices.id(), streams, item.is_deformed);
   if (item.is_deformed) {
-    primitive.deformed = NewBuffer("deformed vertices");
+    primitive.deformed = gl::CreateBuffer("deformed vertices");
     AttachAll(primitive, primitive.deformed.id(), shape, true);
   } else {
     primitive.center = CenterOf(source.positions);

@@ -17,7 +17,7 @@
 #include "core/gbuffer/light_setup.h"
 #include "core/gbuffer/line_pass.h"
 #include "core/gbuffer/request_groups.h"
-#include "core/gl/debug.h"
+#include "core/gl/buffer.h"
 #include "core/gl/framebuffer.h"
 #include "core/gl/state.h"
 
@@ -30,17 +30,6 @@ constexpr float kStudioFill = 0.25f;
 using Size = std::pair<int, int>;
 
 Size SizeOf(const Request& request) { return {request.target->width(), request.target->height()}; }
-
-gl::BufferHandle NewBuffer(const char* label) {
-  GLuint id = 0;
-  glCreateBuffers(1, &id);
-  gl::SetLabel(GL_BUFFER, id, label);
-  return gl::BufferHandle(id);
-}
-
-void Fill(const gl::BufferHandle& buffer, const void* data, std::size_t bytes) {
-  glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
-}
 
 void ClearToBackground(const Request& request) {
   const std::array<float, 4> empty =
@@ -69,9 +58,9 @@ class Renderer final : public SceneRenderer {
         resolver_(std::move(resolver)),
         materials_(scene),
         meshes_(scene),
-        frame_block_(NewBuffer("frame")),
-        draw_blocks_(NewBuffer("draws")),
-        lights_(NewBuffer("lights")),
+        frame_block_(gl::CreateBuffer("frame")),
+        draw_blocks_(gl::CreateBuffer("draws")),
+        lights_(gl::CreateBuffer("lights")),
         exposure_(LightExposure(scene)) {}
 
   Result<void> Render(const FrameInput& frame, std::span<const Request> requests) override;
@@ -141,7 +130,7 @@ Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
     (draw.is_blend ? draws.blended : draws.opaque).push_back(draw);
   }
   std::ranges::stable_sort(draws.blended, std::greater<>(), &PreparedDraw::view_depth);
-  Fill(draw_blocks_, blocks.data(), blocks.size());
+  gl::StreamInto(draw_blocks_, blocks.data(), blocks.size());
   draws.block_buffer = draw_blocks_.id();
   return draws;
 }
@@ -203,7 +192,7 @@ void Renderer::BindFrame(const FrameInput& frame, Size size, bool wants_color) {
     block.environment = glm::vec4(fills ? kStudioFill : 1.0f, static_cast<float>(environment_.last_level()),
                                   static_cast<float>(light_count_), 0.0f);
   }
-  Fill(frame_block_, &block, sizeof(block));
+  gl::StreamInto(frame_block_, &block, sizeof(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block_.id());
   if (light_count_ > 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLightBinding, lights_.id());
 }
@@ -288,7 +277,7 @@ Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> 
 
   const std::vector<LightRecord> lights = BuildLights(*scene_, *frame.pose, exposure_);
   light_count_ = lights.size();
-  if (light_count_ > 0) Fill(lights_, lights.data(), lights.size() * sizeof(LightRecord));
+  if (light_count_ > 0) gl::StreamInto(lights_, lights.data(), lights.size() * sizeof(LightRecord));
   const Result<FrameDraws> draws = Prepare(frame);
   if (!draws) return std::unexpected(draws.error());
 

@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "core/gbuffer/edge_glsl.h"
-#include "core/gl/debug.h"
+#include "core/gl/buffer.h"
 
 namespace burin::overdraw {
 namespace {
-
-gl::BufferHandle NewBuffer(const char* label) {
-  GLuint id = 0;
-  glCreateBuffers(1, &id);
-  gl::SetLabel(GL_BUFFER, id, label);
-  return gl::BufferHandle(id);
-}
 
 void SetAttribute(GLuint array, GLuint location, GLint size, std::size_t offset) {
   glEnableVertexArrayAttrib(array, location);
@@ -28,7 +21,8 @@ void SetAttribute(GLuint array, GLuint location, GLint size, std::size_t offset)
 
 }  // namespace
 
-EdgeQuadBuffer::EdgeQuadBuffer() : vertices_(NewBuffer("edge quads")), indices_(NewBuffer("edge quads: indices")) {
+EdgeQuadBuffer::EdgeQuadBuffer()
+    : vertices_(gl::CreateBuffer("edge quads")), indices_(gl::CreateBuffer("edge quads: indices")) {
   GLuint array = 0;
   glCreateVertexArrays(1, &array);
   vertex_array_ = gl::VertexArrayHandle(array);
@@ -57,7 +51,7 @@ void EdgeQuadBuffer::Upload(std::span<const EdgeVertex> vertices) {
   quads_ = vertices.size() / 4;
   if (quads_ == 0) return;
   ReserveIndices(quads_);
-  glNamedBufferData(vertices_.id(), static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
+  gl::StreamInto(vertices_, vertices.data(), vertices.size_bytes());
 }
 
 void EdgeQuadBuffer::Draw() const {

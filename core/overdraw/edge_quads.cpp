@@ -16,6 +16,7 @@ namespace burin::overdraw {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
+constexpr float kMargin = 2.0f;  // pixels round the picture
 
 struct ScreenSegment {
   ScreenPoint a, b;
@@ -63,7 +64,6 @@ bool CutAtBorder(ScreenSegment& s, float width, float height, float margin) {
 
 /// Writes four vertices, or false.
 bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projection& projection, EdgeVertex* out) {
-  if (!options.keeps_seams && edge.edge_class == EdgeClass::kSeam) return false;
   const EdgeShape shape = ShapeOf(edge, projection);
   glm::vec4 clip_a = shape.a;
   glm::vec4 clip_b = shape.b;
@@ -74,8 +74,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   }
   std::optional<ScreenSegment> cut = CutAtNear(clip_a, clip_b, projection);
   if (!cut) return false;
-  const float margin = options.reach + 2.0f;
-  if (!CutAtBorder(*cut, static_cast<float>(options.width), static_cast<float>(options.height), margin)) return false;
+  if (!CutAtBorder(*cut, static_cast<float>(options.width), static_cast<float>(options.height), kMargin)) return false;
 
   const glm::vec2 a(cut->a.x, cut->a.y);
   const glm::vec2 b(cut->b.x, cut->b.y);
@@ -83,7 +82,7 @@ bool BuildQuad(const EdgeSegment& edge, const QuadOptions& options, const Projec
   const glm::vec2 along = length > 1e-6f ? (b - a) / length : glm::vec2(1.0f, 0.0f);
   const glm::vec2 across(-along.y, along.x);
   // Half the extent of a pixel's square in any of the two directions is (|x| + |y|) / 2.
-  const float grow = options.reach + 0.5f * (std::abs(along.x) + std::abs(along.y)) + 0.01f;
+  const float grow = 0.5f * (std::abs(along.x) + std::abs(along.y)) + 0.01f;
   const glm::vec4 segment(a.x, a.y, b.x, b.y);
   const glm::vec4 depths(cut->a.z, cut->b.z, (options.sums_folds ? shape.fold_slack : shape.slack), kind);
   for (int corner = 0; corner < 4; ++corner) {

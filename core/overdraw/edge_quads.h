@@ -26,9 +26,7 @@ struct QuadOptions {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one
   int width = 0;                    ///< pixels
   int height = 0;
-  float reach = 0.0f;       ///< pixels beyond the squares that the edge touches
   bool sums_folds = false;  ///< EdgeShape::fold_slack instead of slack
-  bool keeps_seams = true;  ///< else edges of class kSeam are left out
 };
 
 /// Four vertices an edge that is in the picture, in the order of `segments`: to be drawn as two triangles (0 1 2, 2 1

@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/gbuffer/storage.h"
-#include "core/gl/fullscreen_quad.h"
 #include "core/gl/program.h"
 #include "core/gl/texture.h"
 #include "core/overdraw/edge_lines.h"
@@ -21,7 +20,8 @@ namespace burin::overdraw {
 class ResolvePass {
  public:
   /// Works on `color` in place. `storage`: how it is kept; CanLoadColor(storage). `depth`: reversed, of the same size.
-  /// `quads`: with no reach; `lines`: the shading of the same edges. Errors: kFailed when memory is short.
+  /// `quads`: with QuadOptions::sums_folds; `lines`: the shading of the same edges. Errors: kFailed when memory is
+  /// short.
   [[nodiscard]] Result<void> Draw(const gl::Texture& color, const gbuffer::Storage& storage, const gl::Texture& depth,
                                   const EdgeQuadBuffer& quads, const AreaLines& lines,
                                   const gbuffer::LineDrawer& draw_lines);

@@ -15,10 +15,6 @@ namespace {
 
 using Items = std::span<const scene::DrawItem>;
 
-const std::vector<glm::vec3>& PositionsOf(const scene::DrawItem& item, const scene::Primitive& primitive) {
-  return item.is_deformed ? item.deformed.positions : primitive.positions;
-}
-
 template <class T>
 void AppendPadded(std::vector<T>& all, const std::vector<T>& some, std::size_t size, const T& missing) {
   all.insert(all.end(), some.begin(), some.end());
@@ -34,9 +30,9 @@ struct JoinedMesh {
   std::vector<int> materials;
   std::vector<std::uint8_t> double_sided;
 
-  void Add(const scene::Primitive& primitive, const std::vector<glm::vec3>& at, bool is_double_sided) {
+  void Add(const scene::Primitive& primitive, bool is_double_sided) {
     const auto base = static_cast<std::uint32_t>(positions.size());
-    positions.insert(positions.end(), at.begin(), at.end());
+    positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
     const std::size_t size = positions.size();
     AppendPadded(normals, primitive.normals, size, glm::vec3(0.0f));
     AppendPadded(colors, primitive.colors, size, glm::vec4(1.0f));
@@ -101,7 +97,7 @@ Result<SceneEdges::Object> SceneEdges::Build(Items items) {
     const bool is_double_sided = primitive.material != scene::kNone &&
                                  scene_->materials[static_cast<std::size_t>(primitive.material)].double_sided;
     // Kinds, paths and concavity are those of the pose that the file holds, whatever frame is drawn first.
-    joined.Add(primitive, primitive.positions, is_double_sided);
+    joined.Add(primitive, is_double_sided);
   }
   const std::string name = mesh_name.empty() ? fmt::format("#{}", first.mesh) : mesh_name;
   EdgeMeshOptions options;
@@ -130,7 +126,7 @@ Result<SceneEdges::Object*> SceneEdges::Prepare(Items items) {
     positions.reserve(object.mesh.positions.size());
     for (const scene::DrawItem& item : items) {
       if (PrimitiveOf(item).mode != scene::PrimitiveMode::kTriangles) continue;
-      const std::vector<glm::vec3>& moved = PositionsOf(item, PrimitiveOf(item));
+      const std::vector<glm::vec3>& moved = item.deformed.positions;
       positions.insert(positions.end(), moved.begin(), moved.end());
     }
     UpdateDeformed(object.mesh, positions);

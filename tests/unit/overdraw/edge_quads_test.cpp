@@ -34,9 +34,7 @@ glm::mat4 Perspective() {
   return clip;
 }
 
-QuadOptions Options(const glm::mat4& clip, float reach = 0.0f) {
-  return {.clip_from_world = clip, .width = kWidth, .height = kHeight, .reach = reach};
-}
+QuadOptions Options(const glm::mat4& clip) { return {.clip_from_world = clip, .width = kWidth, .height = kHeight}; }
 
 /// Both faces are seen, on either side of the edge.
 EdgeSegment Inner(const glm::vec3& a, const glm::vec3& b) {
@@ -152,7 +150,6 @@ TEST(EdgeQuads, EdgesOutOfThePictureAreLeftOutButNotThoseThatReachIntoIt) {
   EXPECT_TRUE(Build({at(-20)}, Options(Flat())).empty());
   EXPECT_TRUE(Build({at(kWidth + 20)}, Options(Flat())).empty());
   EXPECT_EQ(Build({at(0.2f)}, Options(Flat())).size(), 4u);
-  EXPECT_EQ(Build({at(-9)}, Options(Flat(), 10)).size(), 4u) << "pixels within its reach";
   EXPECT_TRUE(Build({Inner({3, 0.5f, 0}, {1.5f, 3, 0})}, Options(Flat())).empty()) << "past a corner";
 }
 
@@ -238,35 +235,24 @@ TEST(EdgeQuads, CoverTheCentresOfAllPixelsThatTheEdgeReachesAndFewOthers) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> in(-1.1f, 1.1f);
   for (int i = 0; i < 60; ++i) {
-    const float reach = i % 3 == 0 ? 3.0f : 0.0f;
     const float size = i % 2 == 0 ? 1.0f : 0.02f;
     const glm::vec3 middle(in(random), in(random), 0);
     const EdgeSegment edge = Inner(middle, middle + size * glm::vec3(in(random), in(random), in(random)));
-    const auto quad = Build({edge}, Options(Flat(), reach));
+    const auto quad = Build({edge}, Options(Flat()));
     const glm::vec2 a = PixelOf(Flat() * glm::vec4(edge.ends[0], 1)), b = PixelOf(Flat() * glm::vec4(edge.ends[1], 1));
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
         const bool is_in = !quad.empty() && IsInQuad(quad, centre);
-        if (Touches({a, b}, centre, 0.499f + reach * 0.7f)) {
+        if (Touches({a, b}, centre, 0.499f)) {
           ASSERT_TRUE(is_in) << "seed 5, edge " << i << ", pixel " << x << " " << y;
         }
-        if (!Touches({a, b}, centre, 1.0f + 1.5f * reach)) {
+        if (!Touches({a, b}, centre, 1.0f)) {
           ASSERT_FALSE(is_in) << "seed 5, edge " << i << ", pixel " << x << " " << y;
         }
       }
     }
   }
-}
-
-TEST(EdgeQuads, SeamsAreLeftOutOnRequest) {
-  EdgeSegment seam = Inner({-0.5f, 0, 0}, {0.5f, 0, 0});
-  seam.edge_class = EdgeClass::kSeam;
-  QuadOptions options = Options(Flat());
-  EXPECT_EQ(Build({seam}, options).size(), 4u);
-  options.keeps_seams = false;
-  EXPECT_TRUE(Build({seam}, options).empty());
-  EXPECT_EQ(Build({seam, Inner({0, -1, 0}, {0, 1, 0}), seam}, options).size(), 4u);
 }
 
 TEST(EdgeQuads, EdgesWithoutLengthOrNumbersGiveFiniteQuadsOrNone) {
