@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Watertight tessellation of Bézier patches by forward differencing (Moreton, "Watertight Tessellation using Forward
+// Differencing", 2001; the rules of GL_NV_evaluators).
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "core/geometry/bezier_patches.h"
+
+namespace burin::tessellation {
+
+inline constexpr float kMaxFactor = 256.0f;
+
+enum class Pattern : std::uint8_t {
+  kInteger,     ///< ceil(factor) equal segments an edge, the fewest and best-shaped triangles
+  kFractional,  ///< symmetric about each edge's middle; vertices move continuously with the factors
+};
+
+/// Segments along each side. Quads: u sides at v = 0 and v = 1, then v sides at u = 0 and u = 1 (NV_evaluators' nu0,
+/// nu1, nv0, nv1). Triangles: (0,0)-(1,0), (1,0)-(0,1), (0,1)-(0,0); the fourth is not used.
+using Factors = std::array<float, 4>;
+
+/// How long a boundary may be in pixels before it is split, and from where that is seen.
+struct ScreenMetric {
+  glm::mat4 clip_from_object{1.0f};
+  int width = 0, height = 0;       ///< pixels
+  float edge_length_px = 8.0f;
+};
+
+/// One set of factors a patch, from the screen-space length of each boundary's own control polygon, so that two patches
+/// with the same boundary get the same factor. Clamped to [1, kMaxFactor]. `clamped`: how many sides met the maximum.
+[[nodiscard]] std::vector<Factors> ScreenFactors(const geometry::BezierPatches& patches, const ScreenMetric& metric,
+                                                 std::size_t* clamped = nullptr);
+
+struct Options {
+  Pattern pattern = Pattern::kFractional;
+  /// Vertices a thread holds at once beyond what it writes (the paper's swatches); 0: a whole patch. The mesh is the
+  /// same for every value.
+  std::uint32_t swatch_vertices = 0;
+  bool wants_tangents = false;  ///< along u of the first texture coordinates (of the patch where it has none)
+};
+
+/// Triangles of all patches, in patch order. Each patch has vertices of its own; positions on a boundary that two
+/// patches share are the same bits in both. Arrays have one entry a vertex; empty where no patch has the attribute.
+struct Surface {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;   ///< unit length, towards the side from which u, v turn counterclockwise
+  std::vector<glm::vec4> tangents;  ///< glTF's: xyz and handedness
+  std::array<std::vector<glm::vec2>, 2> texcoords;
+  std::vector<glm::vec4> colors;
+  std::vector<glm::vec2> patch_uv;
+  std::vector<std::uint32_t> patch_ids;  ///< BezierPatch::face
+  std::vector<std::uint32_t> indices;    ///< three a triangle, counterclockwise as seen from the normals' side
+};
+
+/// Tessellates every patch alone, in parallel; the bits do not depend on threads, processor or swatches. `factors`: one
+/// a patch, clamped to [1, kMaxFactor] (NaN: 1). `surface`'s arrays are reused. Patches must have passed CheckPatches.
+void Tessellate(const geometry::BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                Surface& surface);
+
+}  // namespace burin::tessellation
