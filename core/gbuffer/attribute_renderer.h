@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,23 +32,22 @@ struct Request {
 
 struct FrameInput;
 
-/// An edge of a face, drawn with that face's shading: over a picture as an antialiased line one pixel wide, or into
-/// sums over areas (LineDrawer).
-struct ShadedLine {
+/// Points along an edge of a face that are to be shaded as the face is, evenly spaced in the picture.
+struct FaceEdge {
   std::uint32_t item = 0;                   ///< index in FrameInput::items
-  std::array<std::uint32_t, 2> vertices{};  ///< of its primitive
-  float alpha = 1.0f;                       ///< of a line over a picture
-  float slack = 0.0f;                       ///< window depth: how far behind the picture's surface it is still drawn
+  std::array<std::uint32_t, 3> vertices{};  ///< of its primitive: the edge's ends, and the face's third corner
   bool is_back = false;                     ///< the face's back is seen
-  // For areas:
-  bool is_outline = false;  ///< no surface is seen on its other side
-  bool is_flipped = false;  ///< the face lies off the side of (-d.y, d.x), d from vertex to vertex in pixels (y down)
+  std::uint32_t points = 1;                 ///< from the first end to the last of the range; one: its middle
+  /// What of the edge they lie on: 0 is its first end, 1 its second, in between as clip space has it; and clip space's
+  /// w there, above 0.
+  glm::vec2 range{0.0f, 1.0f};
+  glm::vec2 w{1.0f};
 };
 
-/// Adds to the bound framebuffer's only colour, for each line and each pixel whose square its edge crosses, the face's
-/// scene-linear colour with associated alpha times the area of the pixel beyond the edge: positive where the face lies
-/// beyond, negative where the pixel's centre is on the face's side. Hidden edges add nothing.
-using LineDrawer = std::function<Result<void>(std::span<const ShadedLine> lines)>;
+/// The scene-linear colours, with associated alpha, of every edge's points: a texture for FaceColorFunctions
+/// (face_color_table.h), valid until the next call, and the place of each edge's first point in `first`.
+using FaceShader =
+    std::function<Result<const gl::Texture*>(std::span<const FaceEdge> edges, std::vector<std::uint32_t>& first)>;
 
 /// What is done about edges when a size's geometry is drawn: core/overdraw. Context's thread only.
 class EdgeStage {
@@ -55,14 +55,12 @@ class EdgeStage {
   virtual ~EdgeStage() = default;
   /// True when Antialias does anything.
   [[nodiscard]] virtual bool antialiases() const = 0;
-  /// True when Lines gives any: colour is then drawn scene-linear, as lines are blended over it.
-  [[nodiscard]] virtual bool draws_lines() const = 0;
-  /// What is drawn over a colour of this size after its opaque surfaces, in this order; valid until the next call.
-  [[nodiscard]] virtual Result<std::span<const ShadedLine>> Lines(const FrameInput& frame, int width, int height) = 0;
-  /// Works on a finished colour in place. `color`: one for which CanLoadColor (storage.h) holds; `depth`: what it was
-  /// drawn with (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane); `draw_lines`: for targets of the same size.
+  /// True when Antialias works on opaque surfaces alone, before blended ones are drawn over them.
+  [[nodiscard]] virtual bool precedes_blended() const = 0;
+  /// Works on a colour in place. `color`: one for which CanLoadColor (storage.h) holds; `depth`: what it was drawn with
+  /// (GL_DEPTH32F_STENCIL8, reversed: 1 at the near plane). Leaves another framebuffer bound and other states set.
   [[nodiscard]] virtual Result<void> Antialias(const FrameInput& frame, const Request& color, const gl::Texture& depth,
-                                               const LineDrawer& draw_lines) = 0;
+                                               const FaceShader& shade) = 0;
   /// Fills targets of one size with attributes of edges.
   [[nodiscard]] virtual Result<void> Fill(const FrameInput& frame, std::span<const Request> requests,
                                           const gl::Texture& depth) = 0;

@@ -21,6 +21,13 @@ void SetCulling(const PreparedDraw& draw) {
   culls ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
 }
 
+void SetDepthTest() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);  // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+}
+
 void DrawElements(const PreparedDraw& draw) {
   glDrawElements(draw.primitive->mode, draw.primitive->index_count, GL_UNSIGNED_INT, nullptr);
 }
@@ -92,14 +99,12 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
 
 Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials,
                                 const std::function<Result<void>()>& after_opaque) {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GEQUAL);  // depth is reversed; of equals the last wins, as Direct3D's LessEqual has it
-  glDepthMask(GL_TRUE);
-  glCullFace(GL_BACK);
+  SetDepthTest();
   if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result)
     return result;
   if (after_opaque) {
     if (Result<void> result = after_opaque(); !result) return result;
+    SetDepthTest();
   }
   if (draws.blended.empty()) return {};
 

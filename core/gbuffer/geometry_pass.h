@@ -42,8 +42,8 @@ class GeometryPass {
   [[nodiscard]] const std::vector<Output>& outputs() const { return outputs_; }
 
   /// Into the bound framebuffer, cleared already (depth to 0); frame and light blocks bound. Opaque and masked surfaces
-  /// first; then `after_opaque`, if any; then blended colour, back to front; then what blended surfaces leave in the
-  /// other outputs.
+  /// first; then `after_opaque`, if any, which binds this framebuffer again; then blended colour, back to front; then
+  /// what blended surfaces leave in the other outputs.
   [[nodiscard]] Result<void> Draw(const FrameDraws& draws, MaterialStore& materials,
                                   const std::function<Result<void>()>& after_opaque);
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/gbuffer/edge_glsl.h"
+#include "core/gbuffer/face_samples.h"
 #include "core/gbuffer/gpu_blocks.h"
 #include "core/gbuffer/shading_glsl.h"
 
@@ -45,117 +45,55 @@ void main() {
 }
 )";
 
-// An edge of a mesh as a quadrilateral one pixel to all sides of it: half a pixel of line and cap, and half of the
-// filter.
-constexpr std::string_view kLineBody = R"(
-layout(lines) in;
-layout(triangle_strip, max_vertices = 4) out;
-layout(std430, binding = 1) readonly buffer Lines { vec4 lines[]; };   // alpha, slack, flags: back 1, outline 2, flipped 4
-layout(location = 0) uniform int first_line;
-layout(location = 0) in vec3 in_position[];
-layout(location = 1) in vec3 in_normal[];
-layout(location = 2) in vec4 in_tangent[];
-layout(location = 3) in vec4 in_color[];
-layout(location = 4) in vec2 in_texcoord0[];
-layout(location = 5) in vec2 in_texcoord1[];
-layout(location = 0) out vec3 v_position;
-layout(location = 1) out vec3 v_normal;
-layout(location = 2) out vec4 v_tangent;
-layout(location = 3) out vec4 v_color;
-layout(location = 4) out vec2 v_texcoord0;
-layout(location = 5) out vec2 v_texcoord1;
-layout(location = 6) out vec3 v_clip;
-layout(location = 7) out vec3 v_previous_clip;
-layout(location = 8) flat out vec4 v_segment;
-layout(location = 9) flat out vec2 v_line;
-layout(location = 10) flat out vec4 v_depth;
-
-vec2 PixelOf(vec4 clip) { return (vec2(0.5, -0.5) * clip.xy / clip.w + 0.5) * viewport.xy; }
-
-void Emit(vec4 clip, vec2 offset, float t, float slack, vec4 segment, vec2 data, vec4 edge_depth) {
-  v_segment = segment;
-  v_line = data;
-  v_depth = edge_depth;
-  v_position = mix(in_position[0], in_position[1], t);
-  v_normal = mix(in_normal[0], in_normal[1], t);
-  v_tangent = vec4(mix(in_tangent[0].xyz, in_tangent[1].xyz, t), in_tangent[0].w);
-  v_color = mix(in_color[0], in_color[1], t);
-  v_texcoord0 = mix(in_texcoord0[0], in_texcoord0[1], t);
-  v_texcoord1 = mix(in_texcoord1[0], in_texcoord1[1], t);
-  v_clip = v_previous_clip = vec3(0.0);
-  gl_Position = clip + vec4(offset * vec2(2.0, -2.0) / viewport.xy, min(slack, 1.0 - clip.z / clip.w), 0.0) * clip.w;
-  EmitVertex();
-}
-
-void main() {
-  vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
-  // The near plane: reversed depth, z <= w.
-  float da = a.w - a.z, db = b.w - b.z;
-  if (da <= 0.0 && db <= 0.0) return;
-  float t0 = da <= 0.0 ? da / (da - db) : 0.0;
-  float t1 = db <= 0.0 ? da / (da - db) : 1.0;
-  vec4 p = mix(a, b, t0), q = mix(a, b, t1);
-  if (p.w <= 0.0 || q.w <= 0.0) return;
-  vec4 line = lines[first_line + gl_PrimitiveIDIn];
-  int flags = int(line.z);
-  vec4 segment = vec4(PixelOf(p), PixelOf(q));
-  vec2 depths = vec2(p.z / p.w, q.z / q.w);
-  bool flips = (flags & 4) != 0;
-  vec4 oriented = flips ? segment.zwxy : segment;
-  vec4 edge_depth = vec4(flips ? depths.yx : depths, line.y, (flags & 2) != 0 ? -1.0 : 0.0);
-  vec2 data = vec2(line.x, float(flags & 1));
-  vec2 d = segment.zw - segment.xy;
-  vec2 along = length(d) > 1e-6 ? normalize(d) : vec2(1.0, 0.0);
-  vec2 across = vec2(-along.y, along.x);
-  Emit(p, -along - across, t0, line.y, oriented, data, edge_depth);
-  Emit(p, across - along, t0, line.y, oriented, data, edge_depth);
-  Emit(q, along - across, t1, line.y, oriented, data, edge_depth);
-  Emit(q, along + across, t1, line.y, oriented, data, edge_depth);
-  EndPrimitive();
-}
-)";
-
-// A line of one pixel and square caps, each half a pixel long, through a box filter of one pixel.
-constexpr std::string_view kLineFunctions = R"(
-#if IS_LINE
-layout(location = 8) flat in vec4 v_segment;
-layout(location = 9) flat in vec2 v_line;
-bool IsFront() { return v_line.y < 0.5; }
-#if IS_AREA
-layout(location = 10) flat in vec4 v_depth;
-EDGE_AREA_FUNCTIONS
-float LineWeight() {
-  Beyond beyond;
-  if (!EdgeArea(beyond)) discard;
-  return beyond.is_inside ? beyond.area : -beyond.area;
-}
-#else
-float LineWeight() {
-  vec2 p = gl_FragCoord.xy - v_segment.xy, d = v_segment.zw - v_segment.xy;
-  float size = length(d);
-  vec2 along = size > 1e-6 ? d / size : vec2(1.0, 0.0);
-  float t = dot(p, along);
-  float beyond = max(max(-t, t - size), 0.0);
-  return v_line.x * clamp(1.0 - abs(dot(p, vec2(-along.y, along.x))), 0.0, 1.0) * clamp(1.0 - beyond, 0.0, 1.0);
-}
-#endif
-#else
-bool IsFront() { return gl_FrontFacing; }
-#endif
-)";
-
-std::string LineFunctions() {
-  std::string text(kLineFunctions);
-  constexpr std::string_view kPlace = "EDGE_AREA_FUNCTIONS";
-  return text.replace(text.find(kPlace), kPlace.size(), EdgeAreaFunctions(kDepthUnit));
-}
-
 constexpr std::string_view kFragmentInputs = R"(
 layout(binding = 0) uniform sampler2D base_color_texture;
 layout(binding = 1) uniform sampler2D metallic_roughness_texture;
 layout(binding = 2) uniform sampler2D normal_texture;
 layout(binding = 3) uniform sampler2D occlusion_texture;
 layout(binding = 4) uniform sampler2D emissive_texture;
+#if IS_SAMPLE
+struct FaceSample {
+  vec4 position, normal, tangent, color, texcoords;
+  vec4 position_dx, position_dy;
+  vec4 texcoords_dx, texcoords_dy;
+};
+layout(std430, binding = 1) readonly buffer FaceSamples { FaceSample samples[]; };
+vec3 v_position, v_normal, v_clip = vec3(0.0), v_previous_clip = vec3(0.0);
+vec4 v_tangent, v_color, texcoords_dx, texcoords_dy;
+vec2 v_texcoord0, v_texcoord1;
+vec3 position_dx, position_dy;
+float is_back;
+bool is_dropped = false;
+
+void LoadSample(int i) {
+  v_position = samples[i].position.xyz;
+  is_back = samples[i].position.w;
+#if HAS_NORMALS
+  v_normal = samples[i].normal.xyz;
+#endif
+#if HAS_TANGENTS
+  v_tangent = samples[i].tangent;
+#endif
+  v_color = samples[i].color;
+#if HAS_TEXTURES
+  v_texcoord0 = samples[i].texcoords.xy;
+  v_texcoord1 = samples[i].texcoords.zw;
+  texcoords_dx = samples[i].texcoords_dx;
+  texcoords_dy = samples[i].texcoords_dy;
+#endif
+#if HAS_TEXCOORDS
+  position_dx = samples[i].position_dx.xyz;
+  position_dy = samples[i].position_dy.xyz;
+#endif
+}
+bool IsFront() { return is_back < 0.5; }
+vec3 PositionDx() { return position_dx; }
+vec3 PositionDy() { return position_dy; }
+vec2 Texcoord0Dx() { return texcoords_dx.xy; }
+vec2 Texcoord0Dy() { return texcoords_dy.xy; }
+#define DROP is_dropped = true
+#define SAMPLE(name, use) textureGrad(name, Texcoord(use), TexcoordChange(use, texcoords_dx), TexcoordChange(use, texcoords_dy))
+#else
 layout(location = 0) in vec3 v_position;
 layout(location = 1) in vec3 v_normal;
 layout(location = 2) in vec4 v_tangent;
@@ -164,6 +102,14 @@ layout(location = 4) in vec2 v_texcoord0;
 layout(location = 5) in vec2 v_texcoord1;
 layout(location = 6) in vec3 v_clip;
 layout(location = 7) in vec3 v_previous_clip;
+bool IsFront() { return gl_FrontFacing; }
+vec3 PositionDx() { return dFdx(v_position); }
+vec3 PositionDy() { return dFdy(v_position); }
+vec2 Texcoord0Dx() { return dFdx(v_texcoord0); }
+vec2 Texcoord0Dy() { return dFdy(v_texcoord0); }
+#define DROP discard
+#define SAMPLE(name, use) texture(name, Texcoord(use))
+#endif
 
 struct Surface {
   vec3 position;
@@ -184,6 +130,11 @@ vec2 Texcoord(int use) {
   return vec2(dot(uv_rows[2 * use].xyz, uv), dot(uv_rows[2 * use + 1].xyz, uv));
 }
 
+vec2 TexcoordChange(int use, vec4 change) {
+  vec2 d = uv_rows[2 * use].w > 0.5 ? change.zw : change.xy;
+  return vec2(dot(uv_rows[2 * use].xy, d), dot(uv_rows[2 * use + 1].xy, d));
+}
+
 // (0,0,0) stays (0,0,0).
 vec3 Unit(vec3 v) {
   float square = dot(v, v);
@@ -191,9 +142,9 @@ vec3 Unit(vec3 v) {
 }
 
 // The directions in which u and v grow on the surface, from the derivatives of position and texture coordinates.
-mat2x3 CotangentFrame(vec3 n, vec2 uv) {
-  vec3 p1 = dFdx(v_position), p2 = dFdy(v_position);
-  vec2 uv1 = dFdx(uv), uv2 = dFdy(uv);
+mat2x3 CotangentFrame(vec3 n) {
+  vec3 p1 = PositionDx(), p2 = PositionDy();
+  vec2 uv1 = Texcoord0Dx(), uv2 = Texcoord0Dy();
   vec3 a = cross(p2, n), b = cross(n, p1);
   vec3 t = a * uv1.x + b * uv2.x;
   vec3 bt = a * uv1.y + b * uv2.y;
@@ -208,17 +159,17 @@ Surface GetSurface() {
   s.view = eye.w > 0.5 ? normalize(eye.xyz - v_position) : eye.xyz;
   s.base = base_color * v_color;
 #if HAS_BASE_COLOR_TEXTURE
-  s.base *= texture(base_color_texture, Texcoord(0));
+  s.base *= SAMPLE(base_color_texture, 0);
 #endif
 #if IS_MASKED
-  if (s.base.a < emissive_cutoff.w) discard;
+  if (s.base.a < emissive_cutoff.w) DROP;
 #elif IS_BLEND
-  if (s.base.a < BLEND_CUTOFF) discard;
+  if (s.base.a < BLEND_CUTOFF) DROP;
 #endif
   s.metallic = factors.x;
   s.roughness = factors.y;
 #if HAS_METALLIC_ROUGHNESS_TEXTURE
-  vec4 mr = texture(metallic_roughness_texture, Texcoord(1));
+  vec4 mr = SAMPLE(metallic_roughness_texture, 1);
   s.metallic *= mr.b;
   s.roughness *= mr.g;
 #endif
@@ -226,11 +177,11 @@ Surface GetSurface() {
   s.roughness = clamp(s.roughness, 0.0, 1.0);
   s.occlusion = 1.0;
 #if HAS_OCCLUSION_TEXTURE
-  s.occlusion = 1.0 + factors.w * (texture(occlusion_texture, Texcoord(3)).r - 1.0);
+  s.occlusion = 1.0 + factors.w * (SAMPLE(occlusion_texture, 3).r - 1.0);
 #endif
   s.emissive = emissive_cutoff.rgb;
 #if HAS_EMISSIVE_TEXTURE
-  s.emissive *= texture(emissive_texture, Texcoord(4)).rgb;
+  s.emissive *= SAMPLE(emissive_texture, 4).rgb;
 #endif
 #if HAS_NORMALS
   vec3 n = Unit(v_normal);
@@ -242,7 +193,7 @@ Surface GetSurface() {
   s.tangent = Unit(v_tangent.xyz);
   vec3 bitangent = cross(n, s.tangent) * v_tangent.w;
 #elif HAS_TEXCOORDS
-  mat2x3 frame = CotangentFrame(side * n, v_texcoord0);
+  mat2x3 frame = CotangentFrame(side * n);
   s.tangent = Unit(frame[0]);
   vec3 bitangent = Unit(frame[1]);
 #else
@@ -250,7 +201,7 @@ Surface GetSurface() {
   vec3 bitangent = vec3(0.0);
 #endif
 #if HAS_NORMAL_TEXTURE
-  vec3 m = texture(normal_texture, Texcoord(2)).xyz * 2.0 - 1.0;
+  vec3 m = SAMPLE(normal_texture, 2).xyz * 2.0 - 1.0;
   m.xy *= factors.z;
   n = Unit(m.x * s.tangent + m.y * bitangent + m.z * n);
 #endif
@@ -286,8 +237,8 @@ constexpr std::string_view kColorStatements = R"(
   vec3 shaded = Shade(s);
 #endif
   vec4 color = vec4(max(shaded, vec3(0.0)) * coverage, coverage);
-#if IS_LINE
-  color *= line_weight;
+#if IS_SAMPLE
+  if (is_dropped) color = vec4(0.0);
 #endif
 )";
 
@@ -309,8 +260,7 @@ constexpr std::array kFeatureNames = {
     FeatureName{kHasLights, "LIGHTS"},
     FeatureName{kIsBlend, "IS_BLEND"},
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
-    FeatureName{kIsLine, "IS_LINE"},
-    FeatureName{kIsArea, "IS_AREA"},
+    FeatureName{kIsSample, "IS_SAMPLE"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -370,7 +320,7 @@ bool NeedsColor(const std::vector<Output>& outputs) {
 
 std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features) {
   constexpr std::uint32_t kDiscards = kIsMasked | kIsBlend;  // a discarded fragment is missing from every attribute
-  std::uint32_t relevant = kDiscards | kIsBlendedColor | kIsLine | kIsArea;
+  std::uint32_t relevant = kDiscards | kIsBlendedColor | kIsSample;
   if ((features & kDiscards) != 0) relevant |= kHasBaseColorTexture;
   for (const Output& output : outputs) {
     const bool is_color = output.is_blended || NeedsColor({output});
@@ -397,22 +347,17 @@ std::string GeometryVertexText() {
   return text;
 }
 
-std::string LineGeometryText() {
-  std::string text = "#version 450 core\n";
-  text += BlockDeclarations();
-  text += kLineBody;
-  return text;
-}
-
 std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features) {
   std::string text = "#version 450 core\n";
   for (const FeatureName& entry : kFeatureNames) {
     text += fmt::format("#define {} {}\n", entry.name, (features & entry.feature) != 0 ? 1 : 0);
   }
+  constexpr std::uint32_t kTextures = kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasNormalTexture |
+                                      kHasOcclusionTexture | kHasEmissiveTexture;
+  text += fmt::format("#define HAS_TEXTURES {}\n", (features & kTextures) != 0 ? 1 : 0);
   text += fmt::format("#define BLEND_CUTOFF {:.3f}\n", kBlendCutoff);
   text += BlockDeclarations();
   text += kFragmentInputs;
-  text += LineFunctions();
   text += StorageFunctions();
   text += kSurfaceFunctions;
   const bool needs_color = NeedsColor(outputs);
@@ -420,7 +365,9 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   for (const Output& output : outputs) {
     text += fmt::format("layout(location = {0}) out vec4 out{0};\n", output.location);
   }
-  text += "void main() {\n#if IS_LINE\n  float line_weight = LineWeight();\n#endif\n  Surface s = GetSurface();\n";
+  text += "void main() {\n";
+  if ((features & kIsSample) != 0) text += fmt::format("  LoadSample({});\n", FaceSampleIndex());
+  text += "  Surface s = GetSurface();\n";
   text += kCoverage;
   if (needs_color) text += kColorStatements;
   for (const Output& output : outputs) text += OutputStatement(output);

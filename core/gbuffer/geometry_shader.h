@@ -25,8 +25,7 @@ enum DrawFeature : std::uint32_t {
   kHasLights = 1u << 10,  ///< of the scene
   kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
-  kIsArea = 1u << 14,          ///< with kIsLine: times the area beyond the edge, instead of a line's coverage
-  kIsLine = 1u << 13,          ///< an edge drawn through LineGeometryText(), for its colour alone
+  kIsSample = 1u << 13,        ///< FaceSamples, one a fragment (face_samples.h says where), for their colour alone
 };
 
 /// BLEND surfaces with less alpha than this are not there for any attribute but color, intensity and alpha.
@@ -41,8 +40,6 @@ struct Output {
 };
 
 [[nodiscard]] std::string GeometryVertexText();
-/// The geometry stage of ShadedLines (attribute_renderer.h).
-[[nodiscard]] std::string LineGeometryText();
 [[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features);
 
 /// The features that make a difference to these outputs.

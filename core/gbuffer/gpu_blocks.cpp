@@ -7,6 +7,7 @@ static_assert(sizeof(FrameBlock) == 3 * 64 + 4 * 16 + 9 * 16 + 16);
 static_assert(sizeof(DrawBlock) == 2 * 64 + 3 * 16 + 16);
 static_assert(sizeof(MaterialBlock) == 4 * 16 + 10 * 16);
 static_assert(sizeof(LightRecord) == 64);
+static_assert(sizeof(FaceSample) == 9 * 16);
 
 std::string_view BlockDeclarations() {
   return R"(

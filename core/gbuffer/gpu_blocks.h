@@ -12,11 +12,10 @@
 namespace burin::gbuffer {
 
 enum UniformBinding : unsigned { kFrameBinding = 0, kDrawBinding = 1, kMaterialBinding = 2 };
-enum StorageBinding : unsigned { kLightBinding = 0, kLineBinding = 1 };
+enum StorageBinding : unsigned { kLightBinding = 0, kFaceSampleBinding = 1 };
 
 /// Texture units. The first five follow MaterialTexture.
 inline constexpr unsigned kEnvironmentUnit = 5;
-inline constexpr unsigned kDepthUnit = 6;  ///< of areas beyond edges
 
 enum MaterialTexture : std::size_t {
   kBaseColorTexture,
@@ -60,6 +59,17 @@ struct LightRecord {
   glm::vec4 direction;  ///< towards which it shines; w: scene::LightType
   glm::vec4 color;      ///< intensity and exposure multiplied in
   glm::vec4 cone;       ///< x, y: scale and offset of the cosine, KHR_lights_punctual
+};
+
+/// A point of a face with all that its shading depends on. World space; changes are those from pixel to pixel.
+struct FaceSample {
+  glm::vec4 position;  ///< w: 1 where the face's back is seen
+  glm::vec4 normal;    ///< any length
+  glm::vec4 tangent;   ///< w: handedness
+  glm::vec4 color;
+  glm::vec4 texcoords;  ///< sets 0 and 1
+  glm::vec4 position_dx, position_dy;
+  glm::vec4 texcoords_dx, texcoords_dy;
 };
 
 /// Blocks in one buffer start at multiples of this: the largest alignment that OpenGL lets a driver ask for.

@@ -12,10 +12,10 @@
 
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/environment_light.h"
+#include "core/gbuffer/face_color_table.h"
 #include "core/gbuffer/frame_blocks.h"
 #include "core/gbuffer/geometry_pass.h"
 #include "core/gbuffer/light_setup.h"
-#include "core/gbuffer/line_pass.h"
 #include "core/gbuffer/request_groups.h"
 #include "core/gl/buffer.h"
 #include "core/gl/framebuffer.h"
@@ -37,12 +37,9 @@ void ClearToBackground(const Request& request) {
   glClearTexImage(request.target->id(), 0, GL_RGBA, GL_FLOAT, empty.data());
 }
 
-// True when some colour can't be smoothed where it is kept: intensity, alpha, and formats that lose the colour; and
-// where lines are blended over it.
+// True when some colour can't be smoothed where it is kept: intensity, alpha, and formats that lose the colour.
 bool SmoothsIndirectly(const FrameInput& frame, std::span<const Request> requests) {
-  if (frame.edges == nullptr) return false;
-  if (frame.edges->draws_lines()) return std::ranges::any_of(requests, IsColorClass, &Request::attribute);
-  if (!frame.edges->antialiases()) return false;
+  if (frame.edges == nullptr || !frame.edges->antialiases()) return false;
   return std::ranges::any_of(requests, [](const Request& request) {
     return IsColorClass(request.attribute) &&
            !CanLoadColor({request.attribute, request.target->format(), request.encoding});
@@ -61,7 +58,8 @@ class Renderer final : public SceneRenderer {
         frame_block_(gl::CreateBuffer("frame")),
         draw_blocks_(gl::CreateBuffer("draws")),
         lights_(gl::CreateBuffer("lights")),
-        exposure_(LightExposure(scene)) {}
+        exposure_(LightExposure(scene)),
+        face_colors_(scene) {}
 
   Result<void> Render(const FrameInput& frame, std::span<const Request> requests) override;
   Result<std::vector<GeometryDraw>> Draws(const FrameInput& frame) override;
@@ -95,7 +93,7 @@ class Renderer final : public SceneRenderer {
   std::size_t light_count_ = 0;
   std::map<Size, Buffers> buffers_;
   std::list<GeometryPass> passes_;
-  LinePass lines_;
+  FaceColorTable face_colors_;
 };
 
 // The frame's items on the device, with their blocks.
@@ -223,24 +221,32 @@ Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& dr
   glClearNamedFramebufferfi(framebuffer->id(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
   framebuffer->Bind();
   BindFrame(frame, size, color_location >= 0);
-  const auto draw_lines = [&, count = static_cast<int>(outputs.size())]() -> Result<void> {
-    const auto lines = frame.edges->Lines(frame, size.first, size.second);
-    if (!lines) return std::unexpected(lines.error());
-    return lines_.Draw(*lines, draws, color_location, count, materials_);
+  const FaceShader shade = [&](std::span<const FaceEdge> edges, std::vector<std::uint32_t>& first) {
+    BindFrame(frame, size, true);
+    const SampleView view{ClipFromWorld(frame.view), size.first, size.second};
+    return face_colors_.Shade(edges, frame, draws, view, materials_, first);
   };
+  const auto smooth = [&]() -> Result<void> {
+    for (const Request& request : group) {
+      if (!IsColorClass(request.attribute)) continue;
+      if (auto done = frame.edges->Antialias(frame, request, (*buffers)->depth, shade); !done) return done;
+    }
+    return {};
+  };
+  const bool smooths = color_location >= 0 && frame.edges != nullptr && frame.edges->antialiases();
+  const bool smooths_early = smooths && frame.edges->precedes_blended() && !draws.blended.empty();
   std::function<Result<void>()> after_opaque;
-  if (color_location >= 0 && frame.edges != nullptr && frame.edges->draws_lines()) after_opaque = draw_lines;
+  if (smooths_early) {
+    after_opaque = [&]() -> Result<void> {
+      Result<void> done = smooth();
+      framebuffer->Bind();
+      BindFrame(frame, size, true);
+      return done;
+    };
+  }
   Result<void> result = PassOf(std::move(outputs)).Draw(draws, materials_, after_opaque);
   gl::ResetState();
-  const LineDrawer draw_areas = [&](std::span<const ShadedLine> lines) -> Result<void> {
-    if (lines.empty()) return {};
-    BindFrame(frame, size, true);
-    return lines_.AddAreas(lines, draws, (*buffers)->depth, materials_);
-  };
-  for (const Request& request : group) {
-    const bool smooths = frame.edges != nullptr && frame.edges->antialiases() && IsColorClass(request.attribute);
-    if (result && smooths) result = frame.edges->Antialias(frame, request, (*buffers)->depth, draw_areas);
-  }
+  if (result && smooths && !smooths_early) result = smooth();
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/gbuffer/edge_glsl.h"
 #include "core/gl/buffer.h"
 
 namespace burin::overdraw {
@@ -74,10 +73,6 @@ void main() {
   v_depth = depth;
 }
 )";
-}
-
-std::string EdgeFragmentFunctions() {
-  return "flat in vec4 v_segment;\nflat in vec4 v_depth;\n" + gbuffer::EdgeAreaFunctions(0);
 }
 
 }  // namespace burin::overdraw

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "core/gl/handle.h"
@@ -33,8 +32,4 @@ class EdgeQuadBuffer {
 
 /// A whole vertex shader: flat v_segment and v_depth, as in EdgeVertex.
 [[nodiscard]] std::string_view EdgeQuadVertexText();
-/// GLSL after the version line of a fragment shader: the inputs, and gbuffer::EdgeAreaFunctions with the depth at unit
-/// 0.
-[[nodiscard]] std::string EdgeFragmentFunctions();
-
 }  // namespace burin::overdraw

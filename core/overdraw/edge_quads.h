@@ -26,7 +26,6 @@ struct QuadOptions {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one
   int width = 0;                    ///< pixels
   int height = 0;
-  bool sums_folds = false;  ///< EdgeShape::fold_slack instead of slack
 };
 
 /// Four vertices an edge that is in the picture, in the order of `segments`: to be drawn as two triangles (0 1 2, 2 1

@@ -15,9 +15,9 @@ struct EdgeSegment {
   std::array<glm::vec3, 2> ends;
   /// The corners of the left and the right face that lie off the edge; a boundary's right is its left.
   glm::vec3 left_corner{0.0f}, right_corner{0.0f};
-  /// Indices in the frame's items, and of the two ends among the vertices of the item's primitive.
+  /// Indices in the frame's items; and among the vertices of the item's primitive: both ends and the corner.
   std::uint32_t left_item = 0, right_item = 0;
-  std::array<std::uint32_t, 2> left_vertices{}, right_vertices{};
+  std::array<std::uint32_t, 3> left_vertices{}, right_vertices{};
   EdgeClass edge_class = EdgeClass::kSilhouette;
   float beta = 0.0f;          ///< 0: the left face's shading alone ... 1: the right one's
   bool is_left_front = true;  ///< the face looks towards the eye

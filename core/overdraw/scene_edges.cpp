@@ -154,17 +154,19 @@ void SceneEdges::Append(const Object& object, Items items, std::uint32_t first_i
     const bool has_right = edge.right != geometry::kNoFace;
     EdgeSegment segment;
     segment.ends = {world(edge.corners_left[0]), world(edge.corners_left[1])};
-    segment.left_corner = world(mesh.ThirdCorner(edge.left, edge.corners_left));
-    segment.right_corner = has_right ? world(mesh.ThirdCorner(edge.right, edge.corners_right)) : segment.left_corner;
     const std::size_t left = primitive_of(edge.left);
     const std::size_t right = has_right ? primitive_of(edge.right) : left;
+    const auto vertices_of = [&](std::size_t primitive, std::uint32_t face,
+                                 const std::array<std::uint32_t, 2>& corners) -> std::array<std::uint32_t, 3> {
+      const std::uint32_t base = object.first_vertex[primitive];
+      return {corners[0] - base, corners[1] - base, mesh.ThirdCorner(face, corners) - base};
+    };
+    segment.left_vertices = vertices_of(left, edge.left, edge.corners_left);
+    segment.right_vertices = has_right ? vertices_of(right, edge.right, edge.corners_right) : segment.left_vertices;
+    segment.left_corner = world(segment.left_vertices[2] + object.first_vertex[left]);
+    segment.right_corner = world(segment.right_vertices[2] + object.first_vertex[right]);
     segment.left_item = first_item + static_cast<std::uint32_t>(left);
     segment.right_item = first_item + static_cast<std::uint32_t>(right);
-    for (std::size_t end = 0; end < 2; ++end) {
-      segment.left_vertices[end] = edge.corners_left[end] - object.first_vertex[left];
-      segment.right_vertices[end] =
-          has_right ? edge.corners_right[end] - object.first_vertex[right] : segment.left_vertices[end];
-    }
     segment.edge_class = rendered.cls;
     segment.beta = rendered.beta;
     segment.is_left_front = rendered.is_front_left;

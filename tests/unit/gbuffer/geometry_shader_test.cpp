@@ -82,6 +82,12 @@ TEST(GeometryShader, EveryTextValidates) {
   for (const std::uint32_t features : variants) {
     EXPECT_EQ(validator.Check(GeometryFragmentText({}, features), "frag"), "") << "depth alone " << features;
   }
+  for (const std::uint32_t features : variants) {
+    Output color = Of(Attribute::kColor);
+    color.is_blended = true;
+    EXPECT_EQ(validator.Check(GeometryFragmentText({color}, features | kIsSample), "frag"), "")
+        << "samples " << features;
+  }
   for (std::size_t first = 0; first < drawn.size(); first += 8) {
     std::vector<Output> outputs;
     for (std::size_t i = first; i < std::min(first + 8, drawn.size()); ++i) {

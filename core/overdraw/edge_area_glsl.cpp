@@ -3,17 +3,15 @@
 // less the triangle of the centre and the edge. The sectors of a chain of edges add up, so however many short edges
 // cross a pixel, the sum is the area beyond the chain: no samples, nothing that steps as the picture moves.
 // The cut: Liang and Barsky 1984, against the pixel's square.
-#include "core/gbuffer/edge_glsl.h"
+#include "core/overdraw/edge_area_glsl.h"
 
-#include <fmt/format.h>
+namespace burin::overdraw {
 
-namespace burin::gbuffer {
-
-std::string EdgeAreaFunctions(unsigned unit) {
-  return fmt::format("layout(binding = {}) uniform sampler2D depth_texture;\n", unit) + R"(
-bool CutToPixel(out vec2 p, out vec2 q, out float z) {
-  vec2 a = v_segment.xy - gl_FragCoord.xy;
-  vec2 d = v_segment.zw - v_segment.xy;
+std::string_view EdgeAreaFunctions() {
+  return R"(
+bool CutToPixel(vec4 segment, out vec2 p, out vec2 q, out float t) {
+  vec2 a = segment.xy - gl_FragCoord.xy;
+  vec2 d = segment.zw - segment.xy;
   vec2 away = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(d, vec2(0.0)));
   vec2 inverse = away / max(abs(d), vec2(1e-12));
   vec2 first = (-0.5 * away - a) * inverse;
@@ -22,13 +20,9 @@ bool CutToPixel(out vec2 p, out vec2 q, out float z) {
   float t1 = min(min(last.x, last.y), 1.0);
   p = a + d * t0;
   q = a + d * t1;
-  z = mix(v_depth.x, v_depth.y, 0.5 * (t0 + t1));
+  t = 0.5 * (t0 + t1);
   return t0 < t1;
 }
-
-float SurfaceDepth(ivec2 p) { return texelFetch(depth_texture, clamp(p, ivec2(0), textureSize(depth_texture, 0) - 1), 0).r; }
-
-bool IsHidden(ivec2 p, ivec2 q, float z) { return min(SurfaceDepth(p), SurfaceDepth(q)) > z + v_depth.z; }
 
 // Where a direction from the centre meets the square's border: length along it in pixels, 0 to 4.
 float Perimeter(vec2 v) {
@@ -37,29 +31,29 @@ float Perimeter(vec2 v) {
   return v.y >= 0.0 ? 1.0 - 0.5 * s.x : 3.0 + 0.5 * s.x;
 }
 
-struct Beyond { float area; bool is_inside; ivec2 to; float z; };
+struct Beyond { float area; bool is_inside; ivec2 to; float z; float t; };
 
-bool EdgeArea(out Beyond beyond) {
+bool EdgeArea(vec4 segment, vec4 depth, out Beyond beyond) {
   vec2 p, q;
-  if (!CutToPixel(p, q, beyond.z)) return false;
+  bool is_cut = CutToPixel(segment, p, q, beyond.t);
+  beyond.z = mix(depth.x, depth.y, beyond.t);
   float along = Perimeter(q) - Perimeter(p);
   along = abs(along - 4.0 * round(0.25 * along));
   beyond.area = 0.25 * along - 0.5 * abs(p.x * q.y - p.y * q.x);
-  vec2 d = v_segment.zw - v_segment.xy;
+  vec2 d = segment.zw - segment.xy;
   vec2 inwards = vec2(-d.y, d.x);
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
   beyond.is_inside = dot(inwards, p + q) > 0.0;
   // Through the very centre: the centre is on an outline's surface if the picture has it there.
   bool crosses = max(abs(p.x), abs(p.y)) > 0.4999 && max(abs(q.x), abs(q.y)) > 0.4999;
-  if (v_depth.w < 0.0 && crosses && abs(dot(inwards, p + q)) < 0.04 * length(d)) {
-    beyond.is_inside = SurfaceDepth(pixel) < beyond.z - v_depth.z;
+  if (depth.w < 0.0 && crosses && abs(dot(inwards, p + q)) < 0.04 * length(d)) {
+    beyond.is_inside = depth_here < beyond.z - depth.z;
   }
   vec2 across = beyond.is_inside ? inwards : -inwards;
   bool is_wide = abs(across.x) >= abs(across.y);
   beyond.to = is_wide ? ivec2(across.x < 0.0 ? -1 : 1, 0) : ivec2(0, across.y < 0.0 ? -1 : 1);
-  return beyond.area > 0.0 && !IsHidden(pixel, pixel + beyond.to, beyond.z);
+  return is_cut && beyond.area > 0.0 && min(depth_here, DepthBeside(beyond.to)) <= beyond.z + depth.z;
 }
 )";
 }
 
-}  // namespace burin::gbuffer
+}  // namespace burin::overdraw
