@@ -75,7 +75,9 @@ Built Area(const EdgeSegment& edge, const PictureView& view, const Projection& p
     built.faces[1] = Face(edge, !shape.is_left_positive, *cut);
     built.face_count = 2;
   }
-  built.records[0] = Record(*cut, shape.fold_slack, shape.is_outline ? -1.0f : 0.0f, built.faces[0].points);
+  const bool is_fold = edge.is_smooth && edge.shows_left && edge.shows_right;
+  const float kind = !shape.is_outline ? 0.0f : is_fold ? kFold : kOutline;
+  built.records[0] = Record(*cut, shape.fold_slack, kind, built.faces[0].points);
   return built;
 }
 

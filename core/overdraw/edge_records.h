@@ -16,8 +16,8 @@ namespace burin::overdraw {
 struct EdgeRecord {
   /// Both ends in pixels, x right and y down from the picture's top left corner.
   glm::vec4 segment;
-  /// Reversed window depth at the ends; slack: how far behind the picture's surface it is still seen; of areas, -1 for
-  /// an outline and 0 else; of lines, their alpha.
+  /// Reversed window depth at the ends; slack: how far behind the picture's surface it is still seen; of areas, 0 or
+  /// one of the numbers below; of lines, their alpha.
   glm::vec4 depth;
   /// Places of the first point (gbuffer::FaceShader) of the face on the side of (-d.y, d.x), d from the first end to
   /// the second, and of the face on the other side; the number of points. Outlines and lines have one face.
@@ -32,6 +32,11 @@ struct EdgeRecords {
   /// `first`: the place of the first point of every one of `faces`.
   void SetPlaces(std::span<const std::uint32_t> first);
 };
+
+/// EdgeRecord::depth.w of outlines, below 0. Where a smooth surface that shows both sides folds over, its normals turn
+/// round: shading at the edge itself says nothing about that beside it.
+inline constexpr float kOutline = -1.0f;
+inline constexpr float kFold = -2.0f;
 
 struct PictureView {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one

@@ -19,6 +19,7 @@ struct EdgeSegment {
   std::uint32_t left_item = 0, right_item = 0;
   std::array<std::uint32_t, 3> left_vertices{}, right_vertices{};
   EdgeClass edge_class = EdgeClass::kSilhouette;
+  bool is_smooth = false;     ///< the two faces are shaded alike along it
   float beta = 0.0f;          ///< 0: the left face's shading alone ... 1: the right one's
   bool is_left_front = true;  ///< the face looks towards the eye
   bool is_right_front = true;

@@ -168,6 +168,7 @@ void SceneEdges::Append(const Object& object, Items items, std::uint32_t first_i
     segment.left_item = first_item + static_cast<std::uint32_t>(left);
     segment.right_item = first_item + static_cast<std::uint32_t>(right);
     segment.edge_class = rendered.cls;
+    segment.is_smooth = mesh.kinds[rendered.edge] == EdgeKind::kSmooth;
     segment.beta = rendered.beta;
     segment.is_left_front = rendered.is_front_left;
     segment.is_right_front = rendered.is_front_right;

@@ -48,7 +48,8 @@ vec4 Linear(vec4 stored) { return PICTURE_LOAD; }
 vec4 SegmentOf(int record) { return uintBitsToFloat(texelFetch(records, 3 * record)); }
 vec4 DepthOf(int record) { return uintBitsToFloat(texelFetch(records, 3 * record + 1)); }
 uvec4 ShadeOf(int record) { return texelFetch(records, 3 * record + 2); }
-vec4 ColorOf(uint first, uint points, float t) { return FaceColor(shades, first, points, t); }
+// No brighter than the picture can hold: its own pixels aren't either, and a lamp's outline would grow.
+vec4 ColorOf(uint first, uint points, float t) { return min(FaceColor(shades, first, points, t), vec4(BRIGHTEST)); }
 )";
 
 constexpr std::string_view kMain = R"(
@@ -69,8 +70,10 @@ void main() {
 )";
 
 std::string FragmentText(std::string_view body, const gbuffer::Storage& storage) {
-  std::string text =
-      fmt::format("#version 450 core\n#define TILE_WIDTH {}\n#define TILE_HEIGHT {}\n", kTileWidth, kTileHeight);
+  const bool is_bounded = storage.format.numeric == gl::Numeric::kUnorm;
+  std::string text = "#version 450 core\n";
+  text += fmt::format("#define TILE_WIDTH {}\n#define TILE_HEIGHT {}\n", kTileWidth, kTileHeight);
+  text += fmt::format("#define BRIGHTEST {}\n", is_bounded ? "1.0" : "1e30");
   text += gbuffer::StorageFunctions();
   text += gbuffer::FaceColorFunctions();
   text += kInputs;

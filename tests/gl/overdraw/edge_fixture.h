@@ -11,6 +11,7 @@
 
 #include "core/overdraw/edge_renderer.h"
 #include "tests/gl/gbuffer/scene_fixture.h"
+#include "tests/support/triangle_mesh.h"
 
 namespace burin::overdraw {
 
@@ -138,5 +139,25 @@ class EdgeTest : public gbuffer::GbufferTest {
 
   EdgeOptions options_;
 };
+
+/// The cube of side 2, each face of a colour and a primitive of its own.
+inline TestScene ColoredCube() {
+  TestScene test;
+  const test::TriangleMesh cube = test::Cube();
+  const glm::vec4 colors[] = {{1, 1, 1, 1},    {0.9f, 0.1f, 0.1f, 1}, {0.2f, 0.8f, 0.2f, 1},
+                              {0, 0.2f, 1, 1}, {0.5f, 0.5f, 0, 1},    {0.3f, 0, 0.6f, 1}};
+  scene::Mesh mesh;
+  for (std::uint32_t face = 0; face < 6; ++face) {
+    scene::Primitive side;
+    side.positions.assign(cube.positions.begin() + 4 * face, cube.positions.begin() + 4 * face + 4);
+    side.normals.assign(cube.normals.begin() + 4 * face, cube.normals.begin() + 4 * face + 4);
+    side.indices = {0, 1, 2, 0, 2, 3};
+    side.material = test.AddMaterial(Unlit(colors[face]));
+    mesh.primitives.push_back(std::move(side));
+  }
+  test.scene.meshes.push_back(std::move(mesh));
+  test.AddNode(0, Translate(0, 0, -4));
+  return test;
+}
 
 }  // namespace burin::overdraw

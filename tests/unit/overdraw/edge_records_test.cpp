@@ -187,6 +187,18 @@ TEST(EdgeAreas, AnOutlinesSurfaceIsOnThePositiveSide) {
   }
 }
 
+TEST(EdgeAreas, OnlySmoothSurfacesThatShowBothSidesFold) {
+  for (const bool is_smooth : {false, true}) {
+    for (const bool shows_both : {false, true}) {
+      EdgeSegment edge = Edge(0.0f);
+      edge.right_corner = edge.left_corner;  // both faces on one side
+      edge.is_smooth = is_smooth;
+      edge.shows_right = shows_both;
+      EXPECT_EQ(Areas({edge}).records.at(0).depth.w, is_smooth && shows_both ? kFold : kOutline);
+    }
+  }
+}
+
 TEST(EdgeAreas, LongEdgesAreShadedAtMorePoints) {
   const auto points = [](float length_px) {
     EdgeSegment edge = Edge(0.0f);
