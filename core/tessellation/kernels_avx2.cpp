@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <type_traits>
+
 #include "core/tessellation/kernels.h"
+#include "core/tessellation/net.h"
+#include "core/tessellation/surjections.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
@@ -12,6 +16,8 @@
 
 namespace burin::tessellation {
 namespace {
+
+void LeaveKernel() { _mm256_zeroupper(); }
 
 #include "core/tessellation/kernels.inl"
 

@@ -27,29 +27,10 @@ void DeriveV(const Net& net, Net& derivative) {
   }
 }
 
-int SideCurve(const Net& net, std::uint32_t side, Lanes* points) {
+NetLine QuadLine(const Net& net, std::uint32_t side, int depth) {
   const int n = net.u_degree, m = net.v_degree;
-  if (net.is_quad()) {
-    const int degree = side < 2 ? n : m;
-    for (int k = 0; k <= degree; ++k)
-      points[k] = side < 2 ? net.At(k, side == 0 ? 0 : m) : net.At(side == 2 ? 0 : n, k);
-    return degree;
-  }
-  for (int k = 0; k <= n; ++k) points[k] = side == 0 ? net.At(k, 0) : side == 1 ? net.At(n - k, k) : net.At(0, n - k);
-  return n;
-}
-
-double Choose(int n, int k) {
-  constexpr int kRows = 22;
-  static constexpr auto kTriangle = [] {
-    std::array<std::array<double, kRows>, kRows> rows{};
-    for (std::size_t r = 0; r < kRows; ++r) {
-      rows[r][0] = 1.0;
-      for (std::size_t c = 1; c <= r; ++c) rows[r][c] = rows[r - 1][c - 1] + rows[r - 1][c];
-    }
-    return rows;
-  }();
-  return kTriangle[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+  if (side < 2) return {&net.At(0, side == 0 ? depth : m - depth), 1, n};
+  return {&net.At(side == 2 ? depth : n - depth, 0), n + 1, m};
 }
 
 }  // namespace burin::tessellation

@@ -3,6 +3,7 @@
 // Control nets in double precision, and the little algebra that derivative and normal patches need.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -44,10 +45,39 @@ void LoadNet(geometry::PatchDomain domain, const geometry::ControlNet& from, std
 void DeriveU(const Net& net, Net& derivative);
 void DeriveV(const Net& net, Net& derivative);
 
-/// The control points along one side, in its direction (Factors says which sides there are). Returns their degree.
-int SideCurve(const Net& net, std::uint32_t side, Lanes* points);
+/// Control points on a line of a net.
+struct NetLine {
+  const Lanes* points;
+  std::ptrdiff_t stride;
+  int degree;
+};
 
-/// Binomial coefficient, n up to 21.
-[[nodiscard]] double Choose(int n, int k);
+/// Of quads, the control points along a side (Factors says which), `depth` lines inwards.
+[[nodiscard]] NetLine QuadLine(const Net& net, std::uint32_t side, int depth);
+
+/// Of triangles, which value is point k of a side, in the side's direction.
+[[nodiscard]] inline int TrianglePoint(const Net& net, std::uint32_t side, int k) {
+  const int n = net.u_degree;
+  return side == 0 ? net.Index(k, 0) : side == 1 ? net.Index(n - k, k) : net.Index(0, n - k);
+}
+
+/// Binomial coefficients up to n = 21. A plain array, for the code that is built for AVX2 as well (kernels.inl).
+struct ChooseTable {
+  static constexpr int kRows = 22;
+  double rows[kRows][kRows];
+  double inverse_rows[kRows][kRows];
+};
+inline constexpr ChooseTable kChoose = [] {
+  ChooseTable table{};
+  for (int n = 0; n < ChooseTable::kRows; ++n) {
+    table.rows[n][0] = 1.0;
+    for (int k = 1; k <= n; ++k) table.rows[n][k] = table.rows[n - 1][k - 1] + table.rows[n - 1][k];
+    for (int k = 0; k <= n; ++k) table.inverse_rows[n][k] = 1.0 / table.rows[n][k];
+  }
+  return table;
+}();
+
+[[nodiscard]] inline double Choose(int n, int k) { return kChoose.rows[n][k]; }
+[[nodiscard]] inline double InverseChoose(int n, int k) { return kChoose.inverse_rows[n][k]; }
 
 }  // namespace burin::tessellation

@@ -14,21 +14,32 @@ double Scale(const Net& net, int i, int j) {
   return Choose(net.u_degree, j) * Choose(net.u_degree - j, i);
 }
 
-Lanes Rotated(const Lanes& a) { return Lanes{a[1], a[2], a[0], 0.0}; }
+double InverseScale(const Net& net, int i, int j) {
+  if (net.is_quad()) return InverseChoose(net.u_degree, i) * InverseChoose(net.v_degree, j);
+  return InverseChoose(net.u_degree, j) * InverseChoose(net.u_degree - j, i);
+}
 
-Lanes Cross(const Lanes& a, const Lanes& b) { return Rotated(a * Rotated(b) - Rotated(a) * b); }
+void CopyShape(const Net& from, Net& to) {
+  to.domain = from.domain;
+  to.u_degree = from.u_degree;
+  to.v_degree = from.v_degree;
+}
 
-Lanes TimesWeight(const Lanes& a, const Lanes& weighted) { return a * weighted[3]; }
+void ScaleUp(const Net& net, Net& scaled) {
+  CopyShape(net, scaled);
+  for (int j = 0; j <= net.v_degree; ++j) {
+    const int row = net.Index(0, j);
+    for (int i = 0; i < net.RowLength(j); ++i) scaled.value[row + i] = net.value[row + i] * Scale(net, i, j);
+  }
+}
 
-/// Adds sign * combine(a, b) to `sum`; all three in scaled form, `sum` of the degrees of a product.
-template <class Combine>
-void Accumulate(const Net& a, const Net& b, double sign, const Combine& combine, Net& sum) {
-  for (int ja = 0; ja <= a.v_degree; ++ja) {
-    for (int jb = 0; jb <= b.v_degree; ++jb) {
-      for (int ia = 0; ia < a.RowLength(ja); ++ia) {
-        for (int ib = 0; ib < b.RowLength(jb); ++ib)
-          sum.At(ia + ib, ja + jb) += sign * combine(a.At(ia, ja), b.At(ib, jb));
-      }
+/// The products' components come as y, z, x (see Kernels::convolve_cross).
+void ScaleDownRotated(Net& net) {
+  for (int j = 0; j <= net.v_degree; ++j) {
+    const int row = net.Index(0, j);
+    for (int i = 0; i < net.RowLength(j); ++i) {
+      Lanes& value = net.value[row + i];
+      value = Lanes{value[1], value[2], value[0], 0.0} * InverseScale(net, i, j);
     }
   }
 }
@@ -37,58 +48,70 @@ void StartProduct(const Net& a, const Net& b, Net& product) {
   product.domain = a.domain;
   product.u_degree = a.u_degree + b.u_degree;
   product.v_degree = a.v_degree + b.v_degree;
-  for (int j = 0; j <= product.v_degree; ++j) {
-    for (int i = 0; i < product.RowLength(j); ++i) product.At(i, j) = Lanes{};
+  const int count = product.Index(0, product.v_degree) + product.RowLength(product.v_degree);
+  for (int k = 0; k < count; ++k) product.value[k] = Lanes{};
+}
+
+void Rotate(const Net& net, Net& rotated) {
+  CopyShape(net, rotated);
+  const int count = net.Index(0, net.v_degree) + net.RowLength(net.v_degree);
+  for (int k = 0; k < count; ++k) {
+    const Lanes& value = net.value[k];
+    rotated.value[k] = Lanes{value[1], value[2], value[0], 0.0};
   }
 }
 
-template <class Combine>
-void Multiply(const Net& a, const Net& b, const Combine& combine, Net& product) {
+/// All in scaled form.
+void MultiplyCross(const Kernels& kernels, const Net& a, const Net& b, Net& product) {
   StartProduct(a, b, product);
-  Accumulate(a, b, 1.0, combine, product);
-}
-
-void ScaleUp(const Net& net, Net& scaled) {
-  scaled.domain = net.domain;
-  scaled.u_degree = net.u_degree;
-  scaled.v_degree = net.v_degree;
-  for (int j = 0; j <= net.v_degree; ++j) {
-    for (int i = 0; i < net.RowLength(j); ++i) scaled.At(i, j) = net.At(i, j) * Scale(net, i, j);
+  Net rotated;
+  Rotate(b, rotated);
+  for (int ja = 0; ja <= a.v_degree; ++ja) {
+    for (int jb = 0; jb <= b.v_degree; ++jb)
+      kernels.convolve_cross(&a.At(0, ja), a.RowLength(ja), &b.At(0, jb), &rotated.At(0, jb), b.RowLength(jb),
+                             &product.At(0, ja + jb));
   }
 }
 
-void ScaleDown(Net& net) {
-  for (int j = 0; j <= net.v_degree; ++j) {
-    for (int i = 0; i < net.RowLength(j); ++i) net.At(i, j) /= Scale(net, i, j);
+/// Adds sign * a * the weight of b to `sum`; all in scaled form.
+void AccumulateWeighted(const Net& a, const Net& b, double sign, Net& sum) {
+  for (int ja = 0; ja <= a.v_degree; ++ja) {
+    for (int jb = 0; jb <= b.v_degree; ++jb) {
+      for (int ia = 0; ia < a.RowLength(ja); ++ia) {
+        for (int ib = 0; ib < b.RowLength(jb); ++ib)
+          sum.At(ia + ib, ja + jb) += a.At(ia, ja) * (sign * b.At(ib, jb)[3]);
+      }
+    }
   }
 }
 
 /// With x = P / w: w^3 (x_u x x_v) = w (P_u x P_v) - w_v (P_u x P) - w_u (P x P_v).
-void AccumulateRational(const Net& p, const Net& du, const Net& dv, Net& normal) {
+void MultiplyRational(const Kernels& kernels, const Net& p, const Net& du, const Net& dv, Net& normal) {
   Net product;
-  Multiply(du, dv, Cross, product);
+  MultiplyCross(kernels, du, dv, product);
   StartProduct(product, p, normal);
-  Accumulate(product, p, 1.0, TimesWeight, normal);
-  Multiply(du, p, Cross, product);
-  Accumulate(product, dv, -1.0, TimesWeight, normal);
-  Multiply(p, dv, Cross, product);
-  Accumulate(product, du, -1.0, TimesWeight, normal);
+  AccumulateWeighted(product, p, 1.0, normal);
+  MultiplyCross(kernels, du, p, product);
+  AccumulateWeighted(product, dv, -1.0, normal);
+  MultiplyCross(kernels, p, dv, product);
+  AccumulateWeighted(product, du, -1.0, normal);
 }
 
 }  // namespace
 
-void MakeNormalNet(const Net& position, const Net& du, const Net& dv, bool is_rational, Net& normal) {
+void MakeNormalNet(const Kernels& kernels, const Net& position, const Net& du, const Net& dv, bool is_rational,
+                   Net& normal) {
   Net scaled_du, scaled_dv;
   ScaleUp(du, scaled_du);
   ScaleUp(dv, scaled_dv);
   if (is_rational) {
     Net scaled_position;
     ScaleUp(position, scaled_position);
-    AccumulateRational(scaled_position, scaled_du, scaled_dv, normal);
+    MultiplyRational(kernels, scaled_position, scaled_du, scaled_dv, normal);
   } else {
-    Multiply(scaled_du, scaled_dv, Cross, normal);
+    MultiplyCross(kernels, scaled_du, scaled_dv, normal);
   }
-  ScaleDown(normal);
+  ScaleDownRotated(normal);
 }
 
 }  // namespace burin::tessellation

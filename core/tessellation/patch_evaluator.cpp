@@ -10,8 +10,6 @@
 
 #include <algorithm>
 
-#include "core/tessellation/differences.h"
-
 namespace burin::tessellation {
 namespace {
 
@@ -39,7 +37,7 @@ void PatchEvaluator::Configure(const Kernels& kernels, std::uint32_t swatch_vert
   wants_tangents_ = wants_tangents;
   writer_.kernels = &kernels;
   writer_.surface = &surface;
-  writer_.nets = &nets_;
+  for (std::size_t c = 0; c < kChannelCount; ++c) scratch_values_[c] = scratch_[c].data();
 }
 
 template <class Visit>
@@ -54,7 +52,7 @@ void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, const geom
   writer_.patches = &patches;
   writer_.patch = &patch;
   first_vertex_ = first_vertex;
-  nets_.Load(patches, patch, wants_tangents_);
+  nets_.Load(*kernels_, patches, patch, wants_tangents_);
   if (patch.domain == PatchDomain::kTriangle && layout.pattern == Pattern::kFractional) {
     ThreeGrids(layout);
   } else {
@@ -64,29 +62,45 @@ void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, const geom
   for (std::uint32_t s = 0; s < layout.side_count; ++s) GuardCurve(layout.sides[s], s);
 }
 
+/// A side's control points. Cross products vanish along a side that is one point. Next to it they shrink with the
+/// distance, and the limit of their direction is what the next line of control vectors says.
+NetLine PatchEvaluator::SideLine(std::size_t channel, const Side& side, std::uint32_t index) {
+  const Net& net = nets_.net[channel];
+  if (net.is_quad()) {
+    const bool is_limit =
+        side.is_collapsed && static_cast<Channel>(channel) == Channel::kNormal && !writer_.patch->normal;
+    return QuadLine(net, index, is_limit ? 1 : 0);
+  }
+  for (int k = 0; k <= net.u_degree; ++k)
+    kernels_->copy(&net.value[static_cast<std::size_t>(TrianglePoint(net, index, k))], 1, &side_points_[k]);
+  return {side_points_.data(), 1, net.u_degree};
+}
+
 void PatchEvaluator::GuardCurve(const Side& side, std::uint32_t index) {
-  std::array<Lanes, kMaxNetOrder> points;
-  ChannelValues start{}, end{};
-  std::array<std::array<Lanes, 2>, kChannelCount> ends;
+  const CurveParts parts = side.spacing.per_half == 1 ? CurveParts::kEndsAndMiddle : CurveParts::kAll;
   ForEachChannel([&](std::size_t c) {
-    const int degree = degrees_[c] = SideCurve(nets_.net[c], index, points.data());
-    ends[c] = {points[0], points[static_cast<std::size_t>(degree)]};
-    start[c] = &ends[c][0];
-    end[c] = &ends[c][1];
-    StartDifferences(points.data(), 1, degree, side.spacing.step, curves_[c].data());
-    StartDifferences(points.data() + degree, -1, degree, side.spacing.step, curves_[c].data() + degree + 1);
-    curves_[c][static_cast<std::size_t>(2 * degree + 2)] = MiddleOf(points.data(), 1, degree);
+    const NetLine line = SideLine(c, side, index);
+    degrees_[c] = line.degree;
+    kernels_->start_curves(line.points, line.stride, 0, 1, line.degree, side.spacing.step, parts, &curves_[c]);
   });
+  const bool has_start = side.StartAdjoins(), has_end = side.EndAdjoins();
+  const std::uint32_t skipped = has_start ? 0 : 1;
+  const std::uint32_t count = side.segments() - skipped + (has_end ? 1 : 0);
+  for (std::uint32_t i = 0; i < count; ++i) side_parameters_[i] = side.spacing.Parameter(i + skipped);
+  const LineVertices vertices{.from_start = side.spacing.inner_half(),
+                              .from_end = side.spacing.inner_half(),
+                              .has_middle = side.spacing.has_middle,
+                              .has_start = has_start,
+                              .has_end = has_end};
+  const Lanes corner = curves_[static_cast<std::size_t>(Channel::kPosition)].values[0];
   const auto [from, to] = SideEnds(writer_.patch->domain, index);
-  WriteSingle(start, side.first, from);
-  WriteSingle(end, side.last, to);
-  const std::uint32_t inner = side.segments() - 1;
-  for (std::uint32_t i = 0; i < inner; ++i) side_parameters_[i] = side.spacing.Parameter(i + 1);
-  const LineVertices vertices{side.spacing.inner_half(), side.spacing.inner_half(), side.spacing.has_middle};
-  RunLine(vertices, {first_vertex_ + side.inner, inner, side_parameters_.data(), from, to});
+  const std::uint32_t first = first_vertex_ + (has_start ? side.first : side.inner);
+  RunLine(vertices, {first, count, side_parameters_.data(), from, to});
   if (side.is_collapsed) {
-    auto& positions = writer_.surface->positions;
-    std::fill_n(positions.begin() + first_vertex_ + side.inner, inner, positions[first_vertex_ + side.first]);
+    // Rounding may have told the vertices of a rational curve apart.
+    const double w = writer_.patch->is_rational ? corner[3] : 1.0;
+    const glm::vec3 position(glm::dvec3(corner[0] / w, corner[1] / w, corner[2] / w));
+    std::ranges::fill(std::span(writer_.surface->positions).subspan(first, count), position);
   }
 }
 
@@ -114,9 +128,10 @@ void PatchEvaluator::WholeGrid(const PatchLayout& layout) {
   for (std::uint32_t i = 0; i < columns; ++i) column_parameters_[i] = layout.columns.Parameter(i + 1);
   for (std::uint32_t j = 0; j < rows; ++j) row_parameters_[j] = layout.rows.Parameter(j + 1);
   const std::uint32_t half = layout.columns.inner_half();
-  Rows({.columns = {half, half, layout.columns.has_middle},
+  Rows({.columns = {.from_start = half, .from_end = half, .has_middle = layout.columns.has_middle},
         .column_step = layout.columns.step,
         .first_vertex = first_vertex_ + layout.interior,
+        .column_count = columns,
         .column_parameters = column_parameters_.data(),
         .corners = is_quad ? kQuadCorners : PartCorners(TrianglePart::kWhole),
         .row_count = rows,
@@ -138,6 +153,7 @@ void PatchEvaluator::ThreeGrids(const PatchLayout& layout) {
     Rows({.columns = {.from_start = across.segments - 1},
           .column_step = across.step,
           .first_vertex = first_vertex_ + layout.corner_interiors[corner],
+          .column_count = across.segments - 1,
           .column_parameters = column_parameters_.data(),
           .corners = corners,
           .row_count = along.segments - 1,
@@ -155,96 +171,73 @@ void PatchEvaluator::Centre(std::uint32_t vertex, const glm::dvec2& at) {
 /// The side s = 1 of a triangle's part, without its ends.
 void PatchEvaluator::Spoke(const PatchLayout::Spoke& spoke, const glm::dvec2& from, const glm::dvec2& to) {
   ForEachChannel([&](std::size_t c) {
-    const Net& net = *grid_nets_[c];
-    degrees_[c] = net.v_degree;
-    StartDifferences(&net.At(net.u_degree, 0), net.u_degree + 1, net.v_degree, spoke.step, curves_[c].data());
+    const NetLine line = QuadLine(*grid_nets_[c], 3, 0);
+    degrees_[c] = line.degree;
+    kernels_->start_curves(line.points, line.stride, 0, 1, line.degree, spoke.step, CurveParts::kFromStart,
+                           &curves_[c]);
   });
   for (std::uint32_t i = 1; i < spoke.segments; ++i) side_parameters_[i - 1] = i * spoke.step;
   RunLine({.from_start = spoke.segments - 1},
           {first_vertex_ + spoke.inner, spoke.segments - 1, side_parameters_.data(), from, to});
 }
 
-void PatchEvaluator::StartRows(Channel channel, const Grid& grid) {
-  const Net& net = *grid_nets_[static_cast<std::size_t>(channel)];
-  auto& rows = rows_[static_cast<std::size_t>(channel)];
-  const int degree = net.u_degree;
-  for (int j = 0; j <= net.v_degree; ++j) {
-    SteppedCurve& curve = rows[static_cast<std::size_t>(j)];
-    const Lanes* const points = &net.At(0, j);
-    StartDifferences(points, 1, degree, grid.column_step, curve.data());
-    if (grid.columns.from_end == 0 && !grid.columns.has_middle) continue;
-    StartDifferences(points + degree, -1, degree, grid.column_step, curve.data() + degree + 1);
-    curve[static_cast<std::size_t>(2 * degree + 2)] = MiddleOf(points, 1, degree);
-  }
-}
-
 void PatchEvaluator::Rows(const Grid& grid) {
-  const bool is_one_ended = grid.columns.from_end == 0 && !grid.columns.has_middle;
+  const CurveParts parts = grid.columns.is_one_ended()    ? CurveParts::kFromStart
+                           : grid.columns.from_start == 0 ? CurveParts::kEndsAndMiddle
+                                                          : CurveParts::kAll;
+  std::array<const double*, kChannelCount> weights{};
   ForEachChannel([&](std::size_t c) {
-    StartRows(static_cast<Channel>(c), grid);
-    degrees_[c] = grid_nets_[c]->u_degree;
+    const Net& net = *grid_nets_[c];
+    degrees_[c] = net.u_degree;
+    kernels_->start_curves(net.value.data(), 1, net.u_degree + 1, net.v_degree + 1, net.u_degree, grid.column_step,
+                           parts, rows_[c].data());
+    weights[c] = row_weights_.Weights(*kernels_, net.v_degree, {grid.row_parameters, grid.row_count});
   });
-  const std::uint32_t columns = grid.columns.count();
-  std::array<double, kMaxNetOrder> weights;
   for (std::uint32_t r = 0; r < grid.row_count; ++r) {
-    const double t = grid.row_parameters[r];
     ForEachChannel([&](std::size_t c) {
-      const int v_degree = grid_nets_[c]->v_degree, width = degrees_[c] + 1;
-      BernsteinWeights(v_degree, t, weights.data());
-      kernels_->combine(rows_[c][0].data(), static_cast<int>(sizeof(SteppedCurve) / sizeof(Lanes)), weights.data(),
-                        v_degree + 1, is_one_ended ? width : 2 * width + 1, curves_[c].data());
+      const int order = grid_nets_[c]->v_degree + 1;
+      kernels_->combine(rows_[c].data(), weights[c] + r * static_cast<std::uint32_t>(order), order, degrees_[c], parts,
+                        &curves_[c]);
     });
-    RunLine(grid.columns, {grid.first_vertex + r * columns, columns, grid.column_parameters,
+    const double t = grid.row_parameters[r];
+    RunLine(grid.columns, {grid.first_vertex + r * grid.column_count, grid.column_count, grid.column_parameters,
                            Between(grid.corners[0], grid.corners[2], t), Between(grid.corners[1], grid.corners[3], t)});
   }
 }
 
-void PatchEvaluator::StepFromStart(std::uint32_t count) {
-  ForEachChannel([&](std::size_t c) { kernels_->step(curves_[c].data(), degrees_[c], count, scratch_[c].data(), 1); });
-}
-
-/// Into the last of `slots` slots first.
-void PatchEvaluator::StepFromEnd(std::uint32_t count, std::uint32_t slots) {
-  ForEachChannel([&](std::size_t c) {
-    kernels_->step(curves_[c].data() + degrees_[c] + 1, degrees_[c], count, scratch_[c].data() + slots - 1, -1);
-  });
-}
-
-void PatchEvaluator::PutMiddle(std::uint32_t slot) {
-  ForEachChannel([&](std::size_t c) { scratch_[c][slot] = curves_[c][static_cast<std::size_t>(2 * degrees_[c] + 2)]; });
+void PatchEvaluator::RunPiece(const LineVertices& vertices) {
+  ForEachChannel([&](std::size_t c) { kernels_->run_curve(curves_[c], degrees_[c], vertices, scratch_[c].data()); });
 }
 
 void PatchEvaluator::RunLine(const LineVertices& vertices, const VertexRun& run) {
   if (run.count == 0) return;
   if (run.count > swatch_) return RunSwatches(vertices, run);
-  ChannelValues values{};
-  ForEachChannel([&](std::size_t c) { values[c] = scratch_[c].data(); });
-  if (vertices.from_start > 0) StepFromStart(vertices.from_start);
-  if (vertices.has_middle) PutMiddle(vertices.from_start);
-  if (vertices.from_end > 0) StepFromEnd(vertices.from_end, run.count);
-  writer_.Write(values, run);
+  RunPiece(vertices);
+  writer_.Write(scratch_values_, run);
 }
 
 /// Moreton, section 8.4: the line in pieces of at most `swatch_` vertices. The curves carry on where they stopped.
 void PatchEvaluator::RunSwatches(const LineVertices& vertices, const VertexRun& run) {
-  ChannelValues values{};
-  ForEachChannel([&](std::size_t c) { values[c] = scratch_[c].data(); });
-  const auto piece = [&](std::uint32_t at, std::uint32_t count) {
-    writer_.Write(values, {run.first + at, count, run.parameters + at, run.from, run.to});
+  const auto piece = [&](std::uint32_t at, std::uint32_t count, const LineVertices& part) {
+    RunPiece(part);
+    writer_.Write(scratch_values_, {run.first + at, count, run.parameters + at, run.from, run.to});
   };
-  for (std::uint32_t done = 0; done < vertices.from_start; done += swatch_) {
-    const std::uint32_t count = std::min(swatch_, vertices.from_start - done);
-    StepFromStart(count);
-    piece(done, count);
+  std::uint32_t at = 0, last = run.count;
+  if (vertices.has_start) piece(at++, 1, {.has_start = true});
+  // Before the curve moves on from its end.
+  if (vertices.has_end) piece(--last, 1, {.has_end = true});
+  for (std::uint32_t left = vertices.from_start; left > 0;) {
+    const std::uint32_t count = std::min(swatch_, left);
+    piece(at, count, {.from_start = count});
+    at += count;
+    left -= count;
   }
-  if (vertices.has_middle) {
-    PutMiddle(0);
-    piece(vertices.from_start, 1);
-  }
-  for (std::uint32_t done = 0; done < vertices.from_end; done += swatch_) {
-    const std::uint32_t count = std::min(swatch_, vertices.from_end - done);
-    StepFromEnd(count, count);
-    piece(run.count - done - count, count);
+  if (vertices.has_middle) piece(at, 1, {.has_middle = true});
+  for (std::uint32_t left = vertices.from_end; left > 0;) {
+    const std::uint32_t count = std::min(swatch_, left);
+    last -= count;
+    piece(last, count, {.from_end = count});
+    left -= count;
   }
 }
 

@@ -45,13 +45,11 @@ void NumberQuadSides(PatchLayout& layout, Numbering& numbering) {
 }
 
 void NumberTriangleSides(PatchLayout& layout, Numbering& numbering) {
-  const std::uint32_t corners = numbering.Take(3);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    Side& side = layout.sides[s];
-    side.first = corners + s;
-    side.last = corners + (s + 1) % 3;
-    side.inner = numbering.Take(side.segments() - 1);
+    layout.sides[s].first = numbering.Take(1);
+    layout.sides[s].inner = numbering.Take(layout.sides[s].segments() - 1);
   }
+  for (std::uint32_t s = 0; s < 3; ++s) layout.sides[s].last = layout.sides[(s + 1) % 3].first;
 }
 
 void NumberGrid(PatchLayout& layout, Numbering& numbering) {

@@ -17,12 +17,15 @@ struct Side {
   bool is_collapsed = false;          ///< all in one place
 
   [[nodiscard]] std::uint32_t segments() const { return spacing.segments(); }
+  [[nodiscard]] bool StartAdjoins() const { return first + 1 == inner; }
+  [[nodiscard]] bool EndAdjoins() const { return last == inner + segments() - 1; }
   [[nodiscard]] std::uint32_t Vertex(std::uint32_t i) const {
     return i == 0 ? first : i == segments() ? last : inner + i - 1;
   }
 };
 
-/// Vertices are counted from 0 a patch: those of the sides, then those inside, row by row.
+/// Vertices are counted from 0 a patch: those of the sides, then those inside, row by row. Every corner comes just
+/// before the inner vertices of one side (StartAdjoins) or just after (EndAdjoins).
 struct PatchLayout {
   geometry::PatchDomain domain = geometry::PatchDomain::kQuad;
   Pattern pattern = Pattern::kFractional;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tessellation/patch_nets.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/tessellation/normal_net.h"
 
 namespace burin::tessellation {
@@ -11,15 +8,6 @@ namespace {
 
 using geometry::BezierPatch;
 using geometry::BezierPatches;
-
-/// The largest component's next power of two, inverted; 1 where all are 0.
-double ScaleOf(const Net& net, std::uint32_t count) {
-  double largest = 0.0;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(net.value[k][c]));
-  }
-  return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest) - 1) : 1.0;
-}
 
 std::uint32_t CountOf(const Net& net) {
   const geometry::ControlNet orders{.u_order = static_cast<std::uint8_t>(net.u_degree + 1),
@@ -29,7 +17,8 @@ std::uint32_t CountOf(const Net& net) {
 
 }  // namespace
 
-void PatchNets::Load(const BezierPatches& patches, const BezierPatch& patch, bool wants_tangents) {
+void PatchNets::Load(const Kernels& kernels, const BezierPatches& patches, const BezierPatch& patch,
+                     bool wants_tangents) {
   const auto mark = [&](Channel channel, bool is_there) {
     has[static_cast<std::size_t>(channel)] = is_there;
     return is_there;
@@ -50,10 +39,10 @@ void PatchNets::Load(const BezierPatches& patches, const BezierPatch& patch, boo
   if (patch.normal) {
     LoadNet(patch.domain, patch.normal, std::span(patches.normals), nets[Channel::kNormal]);
   } else {
-    MakeNormalNet(nets[Channel::kPosition], nets[Channel::kPositionDu], nets[Channel::kPositionDv], patch.is_rational,
-                  nets[Channel::kNormal]);
+    MakeNormalNet(kernels, nets[Channel::kPosition], nets[Channel::kPositionDu], nets[Channel::kPositionDv],
+                  patch.is_rational, nets[Channel::kNormal]);
   }
-  normal_scale = ScaleOf(nets[Channel::kNormal], CountOf(nets[Channel::kNormal]));
+  kernels.rescale(nets[Channel::kNormal].value.data(), static_cast<int>(CountOf(nets[Channel::kNormal])));
   if (mark(Channel::kTexcoord0, static_cast<bool>(patch.texcoord[0])))
     LoadNet(patch.domain, patch.texcoord[0], std::span(patches.texcoords[0]), nets[Channel::kTexcoord0]);
   if (mark(Channel::kTexcoord1, static_cast<bool>(patch.texcoord[1])))

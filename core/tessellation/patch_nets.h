@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/geometry/bezier_patches.h"
+#include "core/tessellation/kernels.h"
 #include "core/tessellation/net.h"
 
 namespace burin::tessellation {
@@ -24,16 +25,16 @@ enum class Channel : std::uint8_t {
 };
 inline constexpr std::size_t kChannelCount = 9;
 
-/// One patch's nets in its own domain.
+/// One patch's nets in its own domain. Normals are scaled so that the largest component is about 1.
 struct PatchNets {
   std::array<Net, kChannelCount> net;
   std::array<bool, kChannelCount> has{};
-  double normal_scale = 1.0;  ///< makes the longest normal of the net about 1 long; a power of two
 
   [[nodiscard]] bool Has(Channel channel) const { return has[static_cast<std::size_t>(channel)]; }
   [[nodiscard]] Net& operator[](Channel channel) { return net[static_cast<std::size_t>(channel)]; }
 
-  void Load(const geometry::BezierPatches& patches, const geometry::BezierPatch& patch, bool wants_tangents);
+  void Load(const Kernels& kernels, const geometry::BezierPatches& patches, const geometry::BezierPatch& patch,
+            bool wants_tangents);
 };
 
 }  // namespace burin::tessellation

@@ -32,7 +32,8 @@ struct DirectedSide {
 
 class TriangleWriter {
  public:
-  TriangleWriter(std::uint32_t first_vertex, std::uint32_t* out) : first_(first_vertex), out_(out) {}
+  TriangleWriter(const Kernels& kernels, std::uint32_t first_vertex, std::uint32_t* out)
+      : kernels_(kernels), first_(first_vertex), out_(out) {}
 
   /// Whether the pieces that follow have their axes the wrong way round.
   void SetMirrored(bool is_mirrored) { is_mirrored_ = is_mirrored; }
@@ -44,13 +45,33 @@ class TriangleWriter {
   }
   /// The two triangles of each cell between two lines. Their diagonals run away from the corner, like those of strips.
   void AddCells(std::span<const std::uint32_t> low, std::span<const std::uint32_t> high) {
-    for (std::size_t i = 0; i + 1 < low.size(); ++i) {
-      Add(low[i], low[i + 1], high[i + 1]);
-      Add(low[i], high[i + 1], high[i]);
-    }
+    is_mirrored_ ? AddCells<true>(low, high) : AddCells<false>(low, high);
+  }
+  /// Repeats what was written `cells_back` cells ago, for `cells` cells whose vertices all lie `shift` further on.
+  void AddShifted(std::size_t cells_back, std::size_t cells, std::uint32_t shift) {
+    kernels_.shift_indices(out_ - 6 * cells_back, 6 * cells, shift, out_);
+    out_ += 6 * cells;
   }
 
  private:
+  template <bool kIsMirrored>
+  void AddCells(std::span<const std::uint32_t> low, std::span<const std::uint32_t> high) {
+    constexpr std::size_t kSecond = kIsMirrored ? 2 : 1, kThird = 3 - kSecond;
+    std::uint32_t* out = out_;
+    const std::uint32_t first = first_;
+    for (std::size_t i = 0; i + 1 < low.size(); ++i, out += 6) {
+      const std::uint32_t a = first + low[i], c = first + high[i + 1];
+      out[0] = a;
+      out[kSecond] = first + low[i + 1];
+      out[kThird] = c;
+      out[3] = a;
+      out[3 + kSecond] = c;
+      out[3 + kThird] = first + high[i];
+    }
+    out_ = out;
+  }
+
+  const Kernels& kernels_;
   std::uint32_t first_;
   std::uint32_t* out_;
   bool is_mirrored_ = false;
@@ -108,10 +129,15 @@ void WritePiece(std::span<const std::uint32_t> outer_u, std::span<const std::uin
     fill_line(j, line);
     first_column[j - 1] = line[0];
     const auto vertices = std::span(line).first(across);
+    const auto before = std::span(lines[(j + 1) % 2]).first(across);
     if (j == 1) {
       strip(outer_u, vertices, false, writer);
+    } else if (j == 2 || j == along || across < 3) {
+      writer.AddCells(before, vertices);
     } else {
-      writer.AddCells(std::span(lines[(j + 1) % 2]).first(across), vertices);
+      // Only the last line, and the last vertex of each, may be numbered another way than row by row.
+      writer.AddShifted(across - 1, across - 2, line[0] - before[0]);
+      writer.AddCells(before.last(2), vertices.last(2));
     }
   }
   writer.SetMirrored(!is_mirrored);
@@ -202,8 +228,9 @@ void WriteFractionalTriangle(const PatchLayout& layout, TriangleWriter& writer) 
 
 }  // namespace
 
-void WritePattern(const PatchLayout& layout, std::uint32_t first_vertex, std::uint32_t* indices) {
-  TriangleWriter writer(first_vertex, indices);
+void WritePattern(const Kernels& kernels, const PatchLayout& layout, std::uint32_t first_vertex,
+                  std::uint32_t* indices) {
+  TriangleWriter writer(kernels, first_vertex, indices);
   if (layout.domain == PatchDomain::kTriangle) {
     layout.pattern == Pattern::kInteger ? WriteIntegerTriangle(layout, writer)
                                         : WriteFractionalTriangle(layout, writer);

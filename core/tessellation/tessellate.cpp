@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <unordered_map>
 
 #include "core/tessellation/boundary.h"
 #include "core/tessellation/patch_evaluator.h"
-#include "core/tessellation/pattern.h"
+#include "core/tessellation/pattern_cache.h"
 
 namespace burin::tessellation {
 namespace {
@@ -21,6 +22,10 @@ using geometry::BezierPatches;
 struct Share {
   std::uint32_t first_vertex = 0, vertex_count = 0;
   std::size_t first_index = 0, index_count = 0;
+  std::uint64_t pattern_key = 0;
+  std::array<bool, 4> collapsed{};
+  bool has_collapsed_side = false;
+  const PatternCache::Indices* pattern = nullptr;  ///< null: the patch writes its own
 };
 
 float Clamped(float factor) {
@@ -28,29 +33,10 @@ float Clamped(float factor) {
   return factor >= 1.0f ? std::min(factor, kMaxFactor) : 1.0f;
 }
 
-PatchLayout LayoutOfPatch(const BezierPatches& patches, std::size_t p, const Factors& factors, Pattern pattern) {
-  const BezierPatch& patch = patches.patches[p];
+PatchLayout LayoutOfPatch(const BezierPatch& patch, const std::array<bool, 4>& collapsed, const Factors& factors,
+                          Pattern pattern) {
   const Factors clamped{Clamped(factors[0]), Clamped(factors[1]), Clamped(factors[2]), Clamped(factors[3])};
-  return LayoutOf(patch.domain, pattern, clamped, CollapsedSides(patches, patch));
-}
-
-std::vector<std::uint32_t> IndicesWithoutCollapsed(const PatchLayout& layout) {
-  std::vector<std::uint32_t> indices(std::size_t{3} * layout.triangle_count);
-  WritePattern(layout, 0, indices.data());
-  indices.resize(DropCollapsed(layout, indices.data(), indices.size()));
-  return indices;
-}
-
-Share ShareOf(const PatchLayout& layout) {
-  Share share{.vertex_count = layout.vertex_count, .index_count = std::size_t{3} * layout.triangle_count};
-  if (layout.HasCollapsedSide()) share.index_count = IndicesWithoutCollapsed(layout).size();
-  return share;
-}
-
-void WriteIndices(const PatchLayout& layout, const Share& share, std::uint32_t* indices) {
-  if (!layout.HasCollapsedSide()) return WritePattern(layout, share.first_vertex, indices);
-  const auto kept = IndicesWithoutCollapsed(layout);
-  std::ranges::transform(kept, indices, [&](std::uint32_t index) { return share.first_vertex + index; });
+  return LayoutOf(patch.domain, pattern, clamped, collapsed);
 }
 
 template <class Body>
@@ -60,14 +46,68 @@ void ForRange(std::size_t count, bool is_parallel, const Body& body) {
                     [&](const auto& range) { body(range.begin(), range.end()); });
 }
 
-/// Also gives each share its place. The last one's ends are the sizes of the whole.
-std::vector<Share> Shares(const BezierPatches& patches, std::span<const Factors> factors, Pattern pattern,
-                          bool is_parallel) {
+/// What every patch needs but its place. Collapsed sides' triangles still count.
+std::vector<Share> CountShares(const BezierPatches& patches, std::span<const Factors> factors, const Options& options) {
   std::vector<Share> shares(patches.patches.size());
-  ForRange(shares.size(), is_parallel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) shares[p] = ShareOf(LayoutOfPatch(patches, p, factors[p], pattern));
+  ForRange(shares.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      shares[p].collapsed = CollapsedSides(patches, patches.patches[p]);
+      const PatchLayout layout = LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern);
+      shares[p].vertex_count = layout.vertex_count;
+      shares[p].index_count = std::size_t{3} * layout.triangle_count;
+      shares[p].pattern_key = PatternKey(layout);
+      shares[p].has_collapsed_side = layout.HasCollapsedSide();
+    }
   });
   return shares;
+}
+
+/// Finds or makes the patterns that more than one patch has, and those of patches with collapsed sides, whose triangles
+/// are counted by making them.
+void SharePatterns(const BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                   PatternCache& cache, std::vector<Share>& shares) {
+  struct Missing {
+    std::size_t patch;
+    PatternCache::Indices* indices;
+  };
+  std::vector<Missing> missing;
+  std::unordered_map<std::uint64_t, std::size_t> first_uses;
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    Share& share = shares[p];
+    share.pattern = cache.Find(share.pattern_key);
+    if (share.pattern != nullptr) continue;
+    const auto [first, is_first] = first_uses.try_emplace(share.pattern_key, p);
+    if (!share.has_collapsed_side && (is_first || !cache.HasRoomFor(share.index_count))) continue;
+    missing.push_back({p, &cache.Add(share.pattern_key, share.index_count)});
+    share.pattern = shares[first->second].pattern = missing.back().indices;
+  }
+  const Kernels& kernels = options.uses_avx2 ? Avx2Kernels() : PlainKernels();
+  ForRange(missing.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      const std::size_t p = missing[m].patch;
+      MakePattern(kernels, LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern),
+                  *missing[m].indices);
+    }
+  });
+  for (Share& share : shares) {
+    if (share.has_collapsed_side) share.index_count = share.pattern->size();
+  }
+}
+
+SurfaceSize PlaceShares(std::vector<Share>& shares) {
+  SurfaceSize size;
+  for (Share& share : shares) {
+    share.first_vertex = static_cast<std::uint32_t>(size.vertices);
+    share.first_index = 3 * size.triangles;
+    size.vertices += share.vertex_count;
+    size.triangles += share.index_count / 3;
+  }
+  return size;
+}
+
+void WriteIndices(const Kernels& kernels, const PatchLayout& layout, const Share& share, std::uint32_t* indices) {
+  if (share.pattern == nullptr) return WritePattern(kernels, layout, share.first_vertex, indices);
+  kernels.shift_indices(share.pattern->data(), share.pattern->size(), share.first_vertex, indices);
 }
 
 void Resize(const BezierPatches& patches, const Options& options, const SurfaceSize& size, Surface& surface) {
@@ -90,17 +130,6 @@ void Resize(const BezierPatches& patches, const Options& options, const SurfaceS
   surface.indices.resize(3 * size.triangles);
 }
 
-SurfaceSize PlaceShares(std::vector<Share>& shares) {
-  SurfaceSize size;
-  for (Share& share : shares) {
-    share.first_vertex = static_cast<std::uint32_t>(size.vertices);
-    share.first_index = 3 * size.triangles;
-    size.vertices += share.vertex_count;
-    size.triangles += share.index_count / 3;
-  }
-  return size;
-}
-
 /// Some 200 KiB of nets and curves, kept for the next call.
 PatchEvaluator& ThreadsEvaluator() {
   thread_local const auto evaluator = std::make_unique<PatchEvaluator>();
@@ -109,25 +138,43 @@ PatchEvaluator& ThreadsEvaluator() {
 
 }  // namespace
 
-SurfaceSize MeasureSurface(const BezierPatches& patches, std::span<const Factors> factors, Pattern pattern) {
-  std::vector<Share> shares = Shares(patches, factors, pattern, true);
-  return PlaceShares(shares);
-}
+struct Tessellator::State {
+  PatternCache patterns;
+};
 
-void Tessellate(const BezierPatches& patches, std::span<const Factors> factors, const Options& options,
-                Surface& surface) {
-  std::vector<Share> shares = Shares(patches, factors, options.pattern, options.is_parallel);
+Tessellator::Tessellator() : state_(std::make_unique<State>()) {}
+Tessellator::~Tessellator() = default;
+Tessellator::Tessellator(Tessellator&&) noexcept = default;
+Tessellator& Tessellator::operator=(Tessellator&&) noexcept = default;
+
+void Tessellator::Tessellate(const BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                             Surface& surface) {
+  state_->patterns.Trim();
+  std::vector<Share> shares = CountShares(patches, factors, options);
+  SharePatterns(patches, factors, options, state_->patterns, shares);
   Resize(patches, options, PlaceShares(shares), surface);
   const Kernels& kernels = options.uses_avx2 ? Avx2Kernels() : PlainKernels();
   ForRange(shares.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
     PatchEvaluator& evaluator = ThreadsEvaluator();
     evaluator.Configure(kernels, options.swatch_vertices, options.wants_tangents, surface);
     for (std::size_t p = begin; p < end; ++p) {
-      const PatchLayout layout = LayoutOfPatch(patches, p, factors[p], options.pattern);
+      const PatchLayout layout = LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern);
       evaluator.Evaluate(patches, patches.patches[p], layout, shares[p].first_vertex);
-      WriteIndices(layout, shares[p], surface.indices.data() + shares[p].first_index);
+      WriteIndices(kernels, layout, shares[p], surface.indices.data() + shares[p].first_index);
     }
   });
+}
+
+void Tessellate(const BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                Surface& surface) {
+  Tessellator().Tessellate(patches, factors, options, surface);
+}
+
+SurfaceSize MeasureSurface(const BezierPatches& patches, std::span<const Factors> factors, Pattern pattern) {
+  std::vector<Share> shares = CountShares(patches, factors, {.pattern = pattern});
+  PatternCache patterns;
+  SharePatterns(patches, factors, {.pattern = pattern}, patterns, shares);
+  return PlaceShares(shares);
 }
 
 }  // namespace burin::tessellation

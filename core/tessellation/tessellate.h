@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,24 @@ struct Surface {
   std::vector<glm::vec2> patch_uv;
   std::vector<std::uint32_t> patch_ids;  ///< BezierPatch::face
   std::vector<std::uint32_t> indices;    ///< three a triangle, counterclockwise as seen from the normals' side
+};
+
+/// Tessellates frame after frame and keeps what frames have in common: the triangles of patches that are cut alike.
+/// For one thread at a time.
+class Tessellator {
+ public:
+  Tessellator();
+  ~Tessellator();
+  Tessellator(Tessellator&&) noexcept;
+  Tessellator& operator=(Tessellator&&) noexcept;
+
+  /// As the function below.
+  void Tessellate(const geometry::BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                  Surface& surface);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// Tessellates every patch alone, in parallel; the bits do not depend on threads, processor or swatches. `factors`: one

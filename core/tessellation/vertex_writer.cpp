@@ -62,9 +62,9 @@ void VertexWriter::Write(const ChannelValues& values, const VertexRun& run) cons
 
 void VertexWriter::WriteNormals(const ChannelValues& values, const VertexRun& run) const {
   const Lanes* const stepped = values[static_cast<std::size_t>(Channel::kNormal)];
-  if (!kernels->store_units(stepped, run.count, nets->normal_scale, &surface->normals[run.first].x)) return;
+  if (!kernels->store_units(stepped, run.count, &surface->normals[run.first].x)) return;
   for (std::uint32_t i = 0; i < run.count; ++i) {
-    if (!IsShortNormal(stepped[i], nets->normal_scale)) continue;
+    if (!IsShortNormal(stepped[i])) continue;
     const glm::dvec2 at = run.from + run.parameters[i] * (run.to - run.from);
     surface->normals[run.first + i] = geometry::EvaluateBezier(*patches, *patch, at.x, at.y).normal;
   }

@@ -27,7 +27,6 @@ struct VertexWriter {
   Surface* surface = nullptr;
   const geometry::BezierPatches* patches = nullptr;
   const geometry::BezierPatch* patch = nullptr;
-  const PatchNets* nets = nullptr;
 
   void Write(const ChannelValues& values, const VertexRun& run) const;
 
