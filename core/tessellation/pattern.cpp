@@ -78,7 +78,7 @@ class TriangleWriter {
 };
 
 /// Between an outer side, from the corner on, and the first line of the grid, whose first vertex is one step away from
-/// the corner. `is_wedge`: the corner ends that line too, as the apex of a triangle does.
+/// the corner. `is_wedge`: that line ends in the corner too, as all lines to the apex of a triangle do.
 using Strip = void (*)(std::span<const std::uint32_t> outer, std::span<const std::uint32_t> inner, bool is_wedge,
                        TriangleWriter& writer);
 
@@ -141,7 +141,7 @@ void WritePiece(std::span<const std::uint32_t> outer_u, std::span<const std::uin
     }
   }
   writer.SetMirrored(!is_mirrored);
-  const bool is_wedge = across == 1 && outer_u.front() == outer_u.back();
+  const bool is_wedge = outer_u.front() == outer_u.back();
   strip(outer_v, std::span(first_column).first(along), is_wedge, writer);
 }
 
