@@ -20,6 +20,7 @@ struct Net {
 
   [[nodiscard]] bool is_quad() const { return domain == geometry::PatchDomain::kQuad; }
   [[nodiscard]] int RowLength(int j) const { return is_quad() ? u_degree + 1 : u_degree + 1 - j; }
+  [[nodiscard]] int Count() const { return Index(0, v_degree) + RowLength(v_degree); }
   [[nodiscard]] int Index(int i, int j) const { return j * (u_degree + 1) + i - (is_quad() ? 0 : j * (j - 1) / 2); }
   [[nodiscard]] Lanes& At(int i, int j) { return value[static_cast<std::size_t>(Index(i, j))]; }
   [[nodiscard]] const Lanes& At(int i, int j) const { return value[static_cast<std::size_t>(Index(i, j))]; }

@@ -48,14 +48,12 @@ void StartProduct(const Net& a, const Net& b, Net& product) {
   product.domain = a.domain;
   product.u_degree = a.u_degree + b.u_degree;
   product.v_degree = a.v_degree + b.v_degree;
-  const int count = product.Index(0, product.v_degree) + product.RowLength(product.v_degree);
-  for (int k = 0; k < count; ++k) product.value[k] = Lanes{};
+  for (int k = 0; k < product.Count(); ++k) product.value[k] = Lanes{};
 }
 
 void Rotate(const Net& net, Net& rotated) {
   CopyShape(net, rotated);
-  const int count = net.Index(0, net.v_degree) + net.RowLength(net.v_degree);
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < net.Count(); ++k) {
     const Lanes& value = net.value[k];
     rotated.value[k] = Lanes{value[1], value[2], value[0], 0.0};
   }

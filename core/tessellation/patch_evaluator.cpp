@@ -47,12 +47,16 @@ void PatchEvaluator::ForEachChannel(const Visit& visit) {
   }
 }
 
-void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, const geometry::BezierPatch& patch,
-                              const PatchLayout& layout, std::uint32_t first_vertex) {
+void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, std::size_t index, const PatchLayout& layout,
+                              std::uint32_t first_vertex, StoredNets& stored) {
+  const geometry::BezierPatch& patch = patches.patches[index];
   writer_.patches = &patches;
   writer_.patch = &patch;
   first_vertex_ = first_vertex;
-  nets_.Load(*kernels_, patches, patch, wants_tangents_);
+  if (!stored.Restore(index, nets_)) {
+    nets_.Load(*kernels_, patches, patch, wants_tangents_);
+    stored.Store(index, nets_);
+  }
   if (patch.domain == PatchDomain::kTriangle && layout.pattern == Pattern::kFractional) {
     ThreeGrids(layout);
   } else {

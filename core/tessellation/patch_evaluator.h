@@ -7,6 +7,7 @@
 #include "core/tessellation/bernstein_table.h"
 #include "core/tessellation/patch_layout.h"
 #include "core/tessellation/reparameterization.h"
+#include "core/tessellation/stored_nets.h"
 #include "core/tessellation/vertex_writer.h"
 
 namespace burin::tessellation {
@@ -17,9 +18,9 @@ class PatchEvaluator {
   /// `swatch_vertices`: how many vertices are held before they are written; 0: a whole line.
   void Configure(const Kernels& kernels, std::uint32_t swatch_vertices, bool wants_tangents, Surface& surface);
 
-  /// Writes the patch's vertices from `first_vertex` on.
-  void Evaluate(const geometry::BezierPatches& patches, const geometry::BezierPatch& patch, const PatchLayout& layout,
-                std::uint32_t first_vertex);
+  /// Writes the vertices of patch `index` from `first_vertex` on. Its nets are taken from `stored`, or put there.
+  void Evaluate(const geometry::BezierPatches& patches, std::size_t index, const PatchLayout& layout,
+                std::uint32_t first_vertex, StoredNets& stored);
 
  private:
   struct Grid {

@@ -4,18 +4,9 @@
 #include "core/tessellation/normal_net.h"
 
 namespace burin::tessellation {
-namespace {
 
 using geometry::BezierPatch;
 using geometry::BezierPatches;
-
-std::uint32_t CountOf(const Net& net) {
-  const geometry::ControlNet orders{.u_order = static_cast<std::uint8_t>(net.u_degree + 1),
-                                    .v_order = static_cast<std::uint8_t>(net.v_degree + 1)};
-  return geometry::ValueCount(net.domain, orders);
-}
-
-}  // namespace
 
 void PatchNets::Load(const Kernels& kernels, const BezierPatches& patches, const BezierPatch& patch,
                      bool wants_tangents) {
@@ -27,7 +18,8 @@ void PatchNets::Load(const Kernels& kernels, const BezierPatches& patches, const
   mark(Channel::kPosition, true);
   LoadNet(patch.domain, patch.position, std::span(patches.positions), nets[Channel::kPosition]);
   if (!patch.is_rational) {
-    for (std::uint32_t k = 0; k < CountOf(nets[Channel::kPosition]); ++k) nets[Channel::kPosition].value[k][3] = 0.0;
+    Net& position = nets[Channel::kPosition];
+    for (int k = 0; k < position.Count(); ++k) position.value[k][3] = 0.0;
   }
   mark(Channel::kPositionDu, wants_tangents);
   mark(Channel::kPositionDv, wants_tangents);
@@ -42,7 +34,7 @@ void PatchNets::Load(const Kernels& kernels, const BezierPatches& patches, const
     MakeNormalNet(kernels, nets[Channel::kPosition], nets[Channel::kPositionDu], nets[Channel::kPositionDv],
                   patch.is_rational, nets[Channel::kNormal]);
   }
-  kernels.rescale(nets[Channel::kNormal].value.data(), static_cast<int>(CountOf(nets[Channel::kNormal])));
+  kernels.rescale(nets[Channel::kNormal].value.data(), nets[Channel::kNormal].Count());
   if (mark(Channel::kTexcoord0, static_cast<bool>(patch.texcoord[0])))
     LoadNet(patch.domain, patch.texcoord[0], std::span(patches.texcoords[0]), nets[Channel::kTexcoord0]);
   if (mark(Channel::kTexcoord1, static_cast<bool>(patch.texcoord[1])))

@@ -20,7 +20,7 @@ class PatternCache {
   using Indices = std::vector<std::uint32_t>;
 
   /// Patterns beyond this are not kept, and dropped by Trim.
-  static constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 
   /// The pattern of this key, or null.
   [[nodiscard]] const Indices* Find(std::uint64_t key) const;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Level of detail from each side's control polygon on the screen: it is at least as long as the curve, needs nothing
 // but the side's control points, and changes continuously as the view does.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/ext/matrix_double4x4.hpp>
 #include <glm/ext/vector_double2.hpp>
@@ -72,19 +75,20 @@ std::vector<Factors> ScreenFactors(const BezierPatches& patches, const ScreenMet
   const glm::dmat4 clip(metric.clip_from_object);
   const glm::dvec2 half_size(0.5 * metric.width, 0.5 * metric.height);
   const double most = static_cast<double>(kMaxFactor);
-  std::size_t over = 0;
   std::vector<Factors> factors(patches.patches.size(), Factors{1.0f, 1.0f, 1.0f, 1.0f});
-  for (std::size_t p = 0; p < factors.size(); ++p) {
+  std::atomic<std::size_t> over = 0;
+  const auto measure = [&](std::size_t p) {
     const BezierPatch& patch = patches.patches[p];
     const auto collapsed = CollapsedSides(patches, patch);
     for (std::uint32_t s = 0; s < SideCount(patch.domain); ++s) {
       if (collapsed[s]) continue;
       const double factor = SidePixels(patches, patch, s, clip, half_size) / static_cast<double>(metric.edge_length_px);
-      over += factor > most ? 1 : 0;
+      if (factor > most) over.fetch_add(1, std::memory_order_relaxed);
       // False for NaN.
       factors[p][s] = factor >= 1.0 ? static_cast<float>(std::min(factor, most)) : 1.0f;
     }
-  }
+  };
+  tbb::parallel_for(std::size_t{0}, factors.size(), measure);
   if (clamped != nullptr) *clamped = over;
   return factors;
 }

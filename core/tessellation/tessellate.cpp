@@ -11,6 +11,7 @@
 #include "core/tessellation/boundary.h"
 #include "core/tessellation/patch_evaluator.h"
 #include "core/tessellation/pattern_cache.h"
+#include "core/tessellation/stored_nets.h"
 
 namespace burin::tessellation {
 namespace {
@@ -130,7 +131,7 @@ void Resize(const BezierPatches& patches, const Options& options, const SurfaceS
   surface.indices.resize(3 * size.triangles);
 }
 
-/// Some 200 KiB of nets and curves, kept for the next call.
+/// Some 300 KiB of nets and curves, kept for the next call.
 PatchEvaluator& ThreadsEvaluator() {
   thread_local const auto evaluator = std::make_unique<PatchEvaluator>();
   return *evaluator;
@@ -140,6 +141,7 @@ PatchEvaluator& ThreadsEvaluator() {
 
 struct Tessellator::State {
   PatternCache patterns;
+  StoredNets nets;
 };
 
 Tessellator::Tessellator() : state_(std::make_unique<State>()) {}
@@ -150,6 +152,7 @@ Tessellator& Tessellator::operator=(Tessellator&&) noexcept = default;
 void Tessellator::Tessellate(const BezierPatches& patches, std::span<const Factors> factors, const Options& options,
                              Surface& surface) {
   state_->patterns.Trim();
+  state_->nets.Start(options.revision, patches.patches.size(), options.wants_tangents);
   std::vector<Share> shares = CountShares(patches, factors, options);
   SharePatterns(patches, factors, options, state_->patterns, shares);
   Resize(patches, options, PlaceShares(shares), surface);
@@ -159,7 +162,7 @@ void Tessellator::Tessellate(const BezierPatches& patches, std::span<const Facto
     evaluator.Configure(kernels, options.swatch_vertices, options.wants_tangents, surface);
     for (std::size_t p = begin; p < end; ++p) {
       const PatchLayout layout = LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern);
-      evaluator.Evaluate(patches, patches.patches[p], layout, shares[p].first_vertex);
+      evaluator.Evaluate(patches, p, layout, shares[p].first_vertex, state_->nets);
       WriteIndices(kernels, layout, shares[p], surface.indices.data() + shares[p].first_index);
     }
   });

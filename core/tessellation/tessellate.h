@@ -50,6 +50,9 @@ struct Options {
   bool wants_tangents = false;  ///< along u of the first texture coordinates (of the patch where it has none)
   bool wants_patch_uv = true;
   bool wants_patch_ids = true;
+  /// Not 0: a number that changes whenever the patches do (other than their factors). A Tessellator then keeps what it
+  /// derives from them, such as the control nets of their normals.
+  std::uint64_t revision = 0;
   bool is_parallel = true;           ///< on the threads of TBB
   bool uses_avx2 = base::HasAvx2();  ///< else code for every processor, with the same result
 };
@@ -76,7 +79,8 @@ struct Surface {
   std::vector<std::uint32_t> indices;    ///< three a triangle, counterclockwise as seen from the normals' side
 };
 
-/// Tessellates frame after frame and keeps what frames have in common: the triangles of patches that are cut alike.
+/// Tessellates frame after frame and keeps what frames have in common: the triangles of patches that are cut alike,
+/// and what is derived from patches that stay the same (Options::revision).
 /// For one thread at a time.
 class Tessellator {
  public:

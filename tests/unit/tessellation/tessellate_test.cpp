@@ -216,17 +216,41 @@ TEST(Tessellate, MeetsDegenerateInputWithNumbers) {
   }
 }
 
-TEST(Tessellator, KeepsNothingThatChangesResults) {
+TEST(Tessellator, GivesWhatAFreshOneGives) {
   Tessellator tessellator;
   Surface surface;
   const auto quad = Flat(4);
   for (const float factor : {3.0f, 9.5f, 3.0f, 200.0f, 1.0f, 9.5f}) {
     const std::vector<Factors> factors{Factors{factor, 2.0f, factor, 7.0f}};
-    tessellator.Tessellate(quad, factors, {}, surface);
+    tessellator.Tessellate(quad, factors, {.revision = 1}, surface);
     const Surface fresh = Tessellated(quad, factors[0]);
     EXPECT_EQ(surface.indices, fresh.indices);
     EXPECT_EQ(surface.positions, fresh.positions);
+    EXPECT_EQ(surface.normals, fresh.normals);
   }
+}
+
+TEST(Tessellator, SeesChangedPatchesByTheirRevision) {
+  Tessellator tessellator;
+  Surface surface;
+  test::BezierPatches patches = Flat(4);
+  const std::vector<Factors> factors{Factors{3, 3, 3, 3}};
+  for (std::uint64_t revision = 1; revision < 4; ++revision) {
+    for (const bool has_tangents : {false, true}) {
+      const Options options{.wants_tangents = has_tangents, .revision = revision};
+      tessellator.Tessellate(patches, factors, options, surface);
+      Surface fresh;
+      Tessellate(patches, factors, {.wants_tangents = has_tangents}, fresh);
+      EXPECT_EQ(surface.positions, fresh.positions);
+      EXPECT_EQ(surface.normals, fresh.normals);
+      EXPECT_EQ(surface.tangents, fresh.tangents);
+    }
+    patches.positions[5].z += 0.25f;
+  }
+  // Without a revision nothing is taken for granted.
+  patches.positions[6].z = 2.0f;
+  tessellator.Tessellate(patches, factors, {}, surface);
+  EXPECT_EQ(surface.positions, Tessellated(patches, factors[0]).positions);
 }
 
 }  // namespace
