@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/ext/matrix_double4x4.hpp>
@@ -69,6 +70,24 @@ double SidePixels(const BezierPatches& patches, const BezierPatch& patch, std::u
   return pixels;
 }
 
+/// Whether all control points are beyond one border of the picture, by a twentieth of it for what is drawn wide, or
+/// beyond one of the planes of ClipDepth.
+bool IsInvisible(const BezierPatches& patches, const BezierPatch& patch, const glm::dmat4& clip) {
+  constexpr double kBorder = 1.1;
+  std::array<bool, 6> all_beyond;
+  all_beyond.fill(true);
+  for (std::uint32_t k = 0; k < ValueCount(patch.domain, patch.position); ++k) {
+    glm::dvec4 point = patches.positions[patch.position.first + k];
+    if (!patch.is_rational) point.w = 1.0;
+    const glm::dvec4 at = clip * point;
+    const double border = kBorder * at.w;
+    const std::array<bool, 6> beyond{at.x > border,  -at.x > border, at.y > border,
+                                     -at.y > border, at.z > at.w,    -at.z > at.w};
+    for (std::size_t plane = 0; plane < beyond.size(); ++plane) all_beyond[plane] &= beyond[plane];
+  }
+  return std::ranges::any_of(all_beyond, [](bool is_beyond) { return is_beyond; });
+}
+
 }  // namespace
 
 std::vector<Factors> ScreenFactors(const BezierPatches& patches, const ScreenMetric& metric, std::size_t* clamped) {
@@ -79,6 +98,7 @@ std::vector<Factors> ScreenFactors(const BezierPatches& patches, const ScreenMet
   std::atomic<std::size_t> over = 0;
   const auto measure = [&](std::size_t p) {
     const BezierPatch& patch = patches.patches[p];
+    if (metric.skips_invisible && IsInvisible(patches, patch, clip)) return;
     const auto collapsed = CollapsedSides(patches, patch);
     for (std::uint32_t s = 0; s < SideCount(patch.domain); ++s) {
       if (collapsed[s]) continue;

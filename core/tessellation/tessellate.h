@@ -35,6 +35,9 @@ struct ScreenMetric {
   glm::mat4 clip_from_object{1.0f};
   int width = 0, height = 0;  ///< pixels
   float edge_length_px = 8.0f;
+  /// Patches that lie outside the picture, by all of their control points, get 1 on all sides. Beside the eye they
+  /// would be cut finest of all. Sides that they share with others are outside too, where no crack can be seen.
+  bool skips_invisible = false;
 };
 
 /// One set of factors a patch, from the screen-space length of each boundary's own control polygon, so that two patches
