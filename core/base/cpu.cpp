@@ -34,4 +34,13 @@ int AvailableThreads() {
   return hardware > 0 ? static_cast<int>(hardware) : 1;
 }
 
+bool HasAvx2() {
+#if defined(__x86_64__)
+  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  return has;
+#else
+  return false;
+#endif
+}
+
 }  // namespace burin::base

@@ -7,4 +7,7 @@ namespace burin::base {
 /// least 1.
 [[nodiscard]] int AvailableThreads();
 
+/// Whether this processor runs AVX2 code.
+[[nodiscard]] bool HasAvx2();
+
 }  // namespace burin::base

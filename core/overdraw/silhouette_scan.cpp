@@ -99,15 +99,6 @@ void ForEachChunk(std::size_t count, bool is_parallel, const Body& body) {
 
 }  // namespace
 
-bool HasAvx2() {
-#if defined(__x86_64__)
-  static const bool has = __builtin_cpu_supports("avx2") != 0;
-  return has;
-#else
-  return false;
-#endif
-}
-
 void ScanSilhouettes(const FacePlanes& planes, const SilhouetteEdges& edges, const glm::vec4& local_eye,
                      const ScanOptions& options, std::vector<std::uint32_t>& found) {
   const View view{planes, edges, local_eye};

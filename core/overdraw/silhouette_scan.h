@@ -6,13 +6,14 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "core/base/cpu.h"
 #include "core/overdraw/face_planes.h"
 #include "core/overdraw/silhouette_edges.h"
 
 namespace burin::overdraw {
 
 /// Whether this processor runs the AVX2 code of the scan and the tree.
-[[nodiscard]] bool HasAvx2();
+using base::HasAvx2;
 
 struct ScanOptions {
   bool uses_avx2 = HasAvx2();  ///< else portable code with the same result

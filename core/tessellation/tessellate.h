@@ -4,14 +4,17 @@
 // Differencing", 2001; the rules of GL_NV_evaluators).
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/base/cpu.h"
 #include "core/geometry/bezier_patches.h"
 
 namespace burin::tessellation {
@@ -30,8 +33,11 @@ using Factors = std::array<float, 4>;
 /// How long a boundary may be in pixels before it is split, and from where that is seen.
 struct ScreenMetric {
   glm::mat4 clip_from_object{1.0f};
-  int width = 0, height = 0;       ///< pixels
+  int width = 0, height = 0;  ///< pixels
   float edge_length_px = 8.0f;
+  /// Patches that lie outside the picture, by all of their control points, get 1 on all sides. Beside the eye they
+  /// would be cut finest of all. Sides that they share with others are outside too, where no crack can be seen.
+  bool skips_invisible = false;
 };
 
 /// One set of factors a patch, from the screen-space length of each boundary's own control polygon, so that two patches
@@ -45,10 +51,26 @@ struct Options {
   /// same for every value.
   std::uint32_t swatch_vertices = 0;
   bool wants_tangents = false;  ///< along u of the first texture coordinates (of the patch where it has none)
+  bool wants_patch_uv = true;
+  bool wants_patch_ids = true;
+  /// Not 0: a number that changes whenever the patches do (other than their factors). A Tessellator then keeps what it
+  /// derives from them, such as the control nets of their normals.
+  std::uint64_t revision = 0;
+  bool is_parallel = true;           ///< on the threads of TBB
+  bool uses_avx2 = base::HasAvx2();  ///< else code for every processor, with the same result
 };
+
+/// How much Tessellate would write.
+struct SurfaceSize {
+  std::size_t vertices = 0, triangles = 0;
+};
+[[nodiscard]] SurfaceSize MeasureSurface(const geometry::BezierPatches& patches, std::span<const Factors> factors,
+                                         Pattern pattern);
 
 /// Triangles of all patches, in patch order. Each patch has vertices of its own; positions on a boundary that two
 /// patches share are the same bits in both. Arrays have one entry a vertex; empty where no patch has the attribute.
+/// Patches without an attribute that others have get texture coordinates 0 and the colour white.
+/// A side whose control points are all at one place has vertices but no triangles that would have no area.
 struct Surface {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;   ///< unit length, towards the side from which u, v turn counterclockwise
@@ -60,8 +82,28 @@ struct Surface {
   std::vector<std::uint32_t> indices;    ///< three a triangle, counterclockwise as seen from the normals' side
 };
 
+/// Tessellates frame after frame and keeps what frames have in common: the triangles of patches that are cut alike,
+/// and what is derived from patches that stay the same (Options::revision).
+/// For one thread at a time.
+class Tessellator {
+ public:
+  Tessellator();
+  ~Tessellator();
+  Tessellator(Tessellator&&) noexcept;
+  Tessellator& operator=(Tessellator&&) noexcept;
+
+  /// As the function below.
+  void Tessellate(const geometry::BezierPatches& patches, std::span<const Factors> factors, const Options& options,
+                  Surface& surface);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// Tessellates every patch alone, in parallel; the bits do not depend on threads, processor or swatches. `factors`: one
-/// a patch, clamped to [1, kMaxFactor] (NaN: 1). `surface`'s arrays are reused. Patches must have passed CheckPatches.
+/// a patch, clamped to [1, kMaxFactor] (NaN: 1). `surface`'s arrays are reused. Patches must have passed CheckPatches,
+/// and MeasureSurface must give fewer than 2^32 vertices.
 void Tessellate(const geometry::BezierPatches& patches, std::span<const Factors> factors, const Options& options,
                 Surface& surface);
 

@@ -19,6 +19,7 @@ ALLOWED = {
     "core/video": {"core/base", "core/image"},
     "core/gl": {"core/base", "core/image"},
     "core/geometry": {"core/base"},
+    "core/tessellation": {"core/base", "core/geometry"},
     "core/scene": {"core/base", "core/image", "core/geometry"},
     "core/gbuffer": {"core/base", "core/image", "core/gl", "core/scene", "core/geometry"},
     "core/effect": {"core/base", "core/image", "core/gl", "fx_parser"},
