@@ -26,6 +26,7 @@ enum DrawFeature : std::uint32_t {
   kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
   kIsArea = 1u << 14,          ///< with kIsLine: times the area beyond the edge, instead of a line's coverage
+  kHasPatches = 1u << 15,      ///< the draw is a tessellated surface
   kIsLine = 1u << 13,          ///< an edge drawn through LineGeometryText(), for its colour alone
 };
 
@@ -40,7 +41,8 @@ struct Output {
   bool is_blended = false;
 };
 
-[[nodiscard]] std::string GeometryVertexText();
+/// `features`: those of the fragment text that it goes with.
+[[nodiscard]] std::string GeometryVertexText(std::uint32_t features);
 /// The geometry stage of ShadedLines (attribute_renderer.h).
 [[nodiscard]] std::string LineGeometryText();
 [[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features);

@@ -54,7 +54,7 @@ void LinePass::Upload(std::span<const ShadedLine> lines) {
 Result<const gl::Program*> LinePass::ProgramOf(std::uint32_t features) {
   const auto found = programs_.find(features);
   if (found != programs_.end()) return &found->second;
-  const std::string vertex = GeometryVertexText();
+  const std::string vertex = GeometryVertexText(features);
   const std::string geometry = LineGeometryText();
   const std::string fragment = GeometryFragmentText({ColorOutput()}, features);
   Result<gl::Program> program =
