@@ -15,7 +15,6 @@ namespace burin::overdraw {
 namespace {
 
 constexpr std::size_t kGrain = 8192;
-constexpr double kSliverHeight = 1e-3;  // of the longest edge
 
 struct Bounds {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
@@ -78,31 +77,6 @@ void ComputeFacePlanes(std::span<const std::uint32_t> triangles, std::span<const
       planes.y[f] = plane.y;
       planes.z[f] = plane.z;
       planes.w[f] = plane.w;
-    }
-  });
-}
-
-void TurnSlivers(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
-                 std::span<const glm::vec3> normals, FacePlanes& planes) {
-  if (normals.empty()) return;
-  const glm::dvec3 origin(planes.origin);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, planes.count, kGrain), [&](const auto& range) {
-    for (std::size_t f = range.begin(); f < range.end(); ++f) {
-      const std::uint32_t* const corner = &triangles[3 * f];
-      const glm::dvec3 a = glm::dvec3(positions[corner[0]]) - origin;
-      const glm::dvec3 b = glm::dvec3(positions[corner[1]]) - origin;
-      const glm::dvec3 c = glm::dvec3(positions[corner[2]]) - origin;
-      const double longest2 = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
-      if (glm::length(glm::cross(b - a, c - a)) > kSliverHeight * longest2) continue;
-      const glm::dvec3 sum =
-          glm::dvec3(normals[corner[0]]) + glm::dvec3(normals[corner[1]]) + glm::dvec3(normals[corner[2]]);
-      const double length = glm::length(sum);
-      if (!(length > 0.0) || !std::isfinite(length)) continue;
-      const glm::vec3 normal(sum / length);
-      planes.x[f] = normal.x;
-      planes.y[f] = normal.y;
-      planes.z[f] = normal.z;
-      planes.w[f] = static_cast<float>(-glm::dot(glm::dvec3(normal), (a + b + c) / 3.0));
     }
   });
 }

@@ -37,9 +37,4 @@ struct FacePlanes {
 void ComputeFacePlanes(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
                        std::span<const std::uint8_t> degenerate, FacePlanes& planes);
 
-/// Gives triangles that are thinner than a thousandth of their longest edge the plane through their middle across the
-/// mean of their corners' `normals` (one a vertex), where that is known: rounding turns their own any way.
-void TurnSlivers(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
-                 std::span<const glm::vec3> normals, FacePlanes& planes);
-
 }  // namespace burin::overdraw

@@ -26,7 +26,7 @@ struct MeshInput {
   /// Empty (none is) or one a triangle, nonzero: drawn from behind too.
   std::span<const std::uint8_t> face_double_sided{};
   /// The triangles stand for a curved surface whose normals are the vertices': only those say where it is sharp, and a
-  /// sliver, whose own plane is what rounding left of it, looks where they look.
+  /// sliver, whose own plane is what rounding left of it, looks where its neighbour looks.
   bool is_curved = false;
 };
 
