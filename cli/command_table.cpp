@@ -23,6 +23,12 @@ constexpr Example kInfoExamples[] = {
     {"burin info toon.fx --dot | dot -Tsvg > toon.svg", "the data flow as a picture"},
     {"burin info scene.glb --json", "meshes, cameras, animations ... of a scene, for scripts"},
 };
+constexpr Example kTessellateExamples[] = {
+    {"burin tessellate teapot.bpt -o teapot.glb --tessellation-factor 16", "patches as a mesh, each side in 16 pieces"},
+    {"burin tessellate fox.glb -o fox.ply --frames 12 --edge-length 4",
+     "a mesh as PN triangles, in one pose, as fine as "
+     "a picture of it needs"},
+};
 constexpr Example kEffectsExamples[] = {
     {"burin effects", "every shipped effect, a line each"},
     {"burin effects edges", "those whose name holds 'edges'"},
@@ -37,7 +43,8 @@ constexpr Example kCompletionExamples[] = {{"source <(burin completion bash)", "
 constexpr CommandSpec kCommands[] = {
     {"render", kRender, "[EFFECT.fx ...] [SOURCE] -o OUT",
      "Render a scene, or filter images and video, through effects",
-     "Renders SOURCE through the effects and writes the result. SOURCE is a scene (.gltf, .glb), an image, an image "
+     "Renders SOURCE through the effects and writes the result. SOURCE is a scene (.gltf, .glb, .obj, .bpt), an image, "
+     "an image "
      "sequence (in.####.png), a video, or - for a YUV4MPEG2 stream on stdin; some effects need none. An effect is a "
      "file "
      "or the name of a shipped one (burin effects). Several form a chain: each one's result is the next one's color. "
@@ -56,6 +63,13 @@ constexpr CommandSpec kCommands[] = {
      "technique that is used and why others are not. For a scene: meshes, materials, cameras, lights, animations. For "
      "images and videos: size, format and rate.",
      kInfoExamples, RunInfo},
+    {"tessellate", kTessellate, "MODEL -o OUT", "Write the triangles of a curved surface as a mesh",
+     "Tessellates MODEL (.bpt patches, .obj subdivision surfaces, and meshes in .obj, .gltf, .glb as PN triangles) and "
+     "writes the triangles: watertight, two patches that share a side have the same positions there. The level of "
+     "detail is the same as a picture's of this size and camera, or --tessellation-factor.\n"
+     "Normals, texture coordinates and colours are written, pictures of materials are not. A .glb keeps world matrices "
+     "as nodes; .obj and .ply have them applied.",
+     kTessellateExamples, RunTessellate},
     {"effects", kEffects, "[WORD ...]", "List the shipped effects, a line each",
      "Prints the name and purpose of each shipped effect, or of those whose name or purpose holds every WORD. The name "
      "is "

@@ -32,6 +32,7 @@ struct CommandSpec {
 // One file each, command_<name>.cpp.
 int RunRender(const Settings& settings);
 int RunCheck(const Settings& settings);
+int RunTessellate(const Settings& settings);
 int RunInfo(const Settings& settings);
 int RunEffects(const Settings& settings);
 int RunHelp(const Settings& settings);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "cli/command_table.h"
@@ -33,8 +34,9 @@ std::string BashCompletion() {
     option_cases += fmt::format("    {}) options='{}' ;;\n", command.name, OptionWords(command.bit));
   }
   std::string value_cases;
+  std::set<std::string_view> named;  // commands may have options of one name
   for (const OptionSpec& spec : OptionTable()) {
-    if (spec.value.empty()) continue;
+    if (spec.value.empty() || !named.insert(spec.name).second) continue;
     const std::string names =
         spec.letter != 0 ? fmt::format("--{}|-{}", spec.name, spec.letter) : fmt::format("--{}", spec.name);
     std::string choices(spec.choices);

@@ -66,6 +66,23 @@ Result<void> StoreEdges(Settings& settings, const std::string& value) {
   return {};
 }
 
+Result<void> StoreTessellation(Settings& settings, const std::string& value) {
+  using enum scene::TessellationMode;
+  settings.job.tessellation.mode = value == "off" ? kOff : value == "integer" ? kInteger : kFractional;
+  return {};
+}
+
+Result<void> StoreEdgeLength(Settings& settings, const std::string& value) {
+  return StoreWithin(settings.job.tessellation.edge_length_px.emplace(), "edge-length", value, 0.25, 10'000.0);
+}
+
+Result<void> StoreFactor(Settings& settings, const std::string& value) {
+  const Result<double> factor = ParseNumber("tessellation-factor", value);
+  if (!factor) return std::unexpected(factor.error());
+  settings.job.tessellation.factor = static_cast<float>(*factor);
+  return {};
+}
+
 Result<void> StoreAlpha(Settings& settings, const std::string& value) {
   using enum render::AlphaOutput;
   settings.job.alpha = value == "keep" ? kKeep : value == "drop" ? kDrop : kAuto;
@@ -117,12 +134,18 @@ constexpr OptionSpec kTable[] = {
        s.job.output = v;
        return Result<void>();
      }},
-    {"mkdir", 0, "", kRender, kOutput, "Make the output's folder when it is not there.", "", Repeat::kLast,
+    {"output", 'o', "FILE", kTessellate, kOutput,
+     "Where the triangles go: .glb (glTF binary), .obj, .ply (binary), or - for GLB on stdout.", "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.job.output = v;
+       return Result<void>();
+     }},
+    {"mkdir", 0, "", kRender | kTessellate, kOutput, "Make the output's folder when it is not there.", "", Repeat::kLast,
      [](Settings& s, const std::string&) {
        s.job.make_folders = true;
        return Result<void>();
      }},
-    {"size", 0, "WxH", kRender, kOutput,
+    {"size", 0, "WxH", kRender | kTessellate, kOutput,
      "Size of the frame in pixels. Otherwise that of the picture or video, and 1280x720 for a scene. Pictures are "
      "resized to it (bilinear).",
      "", Repeat::kLast, [](Settings& s, const std::string& v) { return Store(s.job.size, ParseSize(v)); }},
@@ -146,18 +169,18 @@ constexpr OptionSpec kTable[] = {
      "effect.",
      "", Repeat::kLast, StoreAttributes},
 
-    {"frames", 0, "LIST", kRender, kFrames,
+    {"frames", 0, "LIST", kRender | kTessellate, kFrames,
      "Frames to do, by absolute number: 1-10, 1..10, 1-10x2 or 1-10:2 (every second), lists by comma, negative ones "
      "(-3--1). Otherwise all of a video or sequence; of a scene the whole animation when the output takes several "
      "frames, else frame 1.",
      "", Repeat::kLast, StoreFrames},
-    {"fps", 0, "RATE", kRender, kFrames,
+    {"fps", 0, "RATE", kRender | kTessellate, kFrames,
      "Frames a second, such as 24, 23.976 or 30000/1001: frame n shows the time (n - 1) / RATE. Otherwise the "
      "source's, "
      "and 24 where it has none.",
      "", Repeat::kLast, [](Settings& s, const std::string& v) { return Store(s.job.fps, ParseFrameRate(v)); }},
 
-    {"camera", 0, "CAMERA", kRender, kScene,
+    {"camera", 0, "CAMERA", kRender | kTessellate, kScene,
      "Name or index of the scene's camera, or auto, which frames the whole scene. Otherwise the first camera, or auto "
      "where there is none.",
      "", Repeat::kLast,
@@ -165,7 +188,7 @@ constexpr OptionSpec kTable[] = {
        s.job.camera = v;
        return Result<void>();
      }},
-    {"orbit", 0, "DEGREES", kRender, kScene,
+    {"orbit", 0, "DEGREES", kRender | kTessellate, kScene,
      "Turn the camera about the vertical axis through the scene's centre, the same for all frames. With it the "
      "automatic camera stands where every angle shows the whole scene.",
      "", Repeat::kLast,
@@ -175,7 +198,7 @@ constexpr OptionSpec kTable[] = {
      [](Settings& s, const std::string& v) {
        return Store(s.job.turntable_frames, ParseInteger("turntable", v, 1, 1'000'000));
      }},
-    {"animation", 0, "NAME", kRender, kScene,
+    {"animation", 0, "NAME", kRender | kTessellate, kScene,
      "Name or index of the animation that plays, all, none, or auto: every one whose targets no earlier one moves. "
      "Otherwise auto.",
      "", Repeat::kLast,
@@ -204,7 +227,7 @@ constexpr OptionSpec kTable[] = {
      "pixel; sorted and unsorted draw smooth lines over the edges (discontinuity edge overdraw), back to front or in "
      "any order; off. Ids and other data are never touched. Otherwise resolve.",
      "off|unsorted|sorted|resolve", Repeat::kLast, StoreEdges},
-    {"crease-angle", 0, "DEGREES", kRender, kScene,
+    {"crease-angle", 0, "DEGREES", kRender | kTessellate, kScene,
      "Faces that meet at more than this angle, 0 to 180, are a crease even where the shading is smooth. Otherwise 60.",
      "", Repeat::kLast,
      [](Settings& s, const std::string& v) {
@@ -222,6 +245,18 @@ constexpr OptionSpec kTable[] = {
        s.job.edges.sorts_whole_scene = v == "scene";
        return Result<void>();
      }},
+
+    {"tessellation", 0, "MODE", kRender | kTessellate, kScene,
+     "Draw curved surfaces as triangles: integer cuts sides into equal pieces; fractional moves smoothly from one number "
+     "of pieces to the next, for animations; off draws the triangles of the file. Meshes become PN triangles, which "
+     "follow their normals. Otherwise fractional for patch models (.bpt) and subdivision surfaces (.obj), and for "
+     "meshes off, but fractional with --edge-length or --tessellation-factor.",
+     "off|integer|fractional", Repeat::kLast, StoreTessellation},
+    {"edge-length", 0, "PIXELS", kRender | kTessellate, kScene,
+     "Tessellation: how long a triangle's side may be in the picture, 0.25 to 10000. Otherwise 8.", "", Repeat::kLast,
+     StoreEdgeLength},
+    {"tessellation-factor", 0, "N", kRender | kTessellate, kScene,
+     "Tessellation: cut every side in N pieces, 1 to 256, whatever the view.", "", Repeat::kLast, StoreFactor},
 
     {"param", 0, "NAME=VALUE", kRender, kEffect,
      "Set a parameter of the effect: numbers separated by commas, true or false, or a file for a texture. Can be given "

@@ -20,12 +20,13 @@ enum CommandBit : unsigned {
   kVersion = 1u << 4,
   kHelp = 1u << 5,
   kCompletion = 1u << 6,
+  kTessellate = 1u << 7,
 };
 
 enum class Repeat { kLast, kCollect };  ///< what a second use does: replaces the first, or adds to it
 
 struct OptionSpec {
-  std::string_view name;     ///< without the dashes
+  std::string_view name;     ///< without the dashes; once a command
   char letter;               ///< short form, 0: none
   std::string_view value;    ///< "WxH"; empty: the option takes none
   unsigned commands;         ///< of CommandBit

@@ -24,6 +24,13 @@ run render examples/still_life.glb --attributes color,normal,depth,position,obje
 # Lines from the scene's own edges: an effect that inks them, and the attributes that it reads.
 run render npr/ink examples/still_life.glb -o "$out/ink.png" --size 1024x1024
 run render examples/still_life.glb --attributes color,edges,edgedist -o "$out/edge_lines.exr" --size 1024x1024
+# A jug of Bézier patches: smooth at any size, its parameterisation as attributes, and its triangles as a mesh.
+run render examples/jug.bpt -o "$out/jug.png" --size 1024x1024
+run render npr/ink examples/jug.bpt -o "$out/jug_ink.png" --size 1024x1024
+run render examples/jug.bpt --attributes color,patchuv,patchid -o "$out/jug_patches.exr" --size 1024x1024
+run tessellate examples/jug.bpt -o "$out/jug.glb" --tessellation-factor 16
+# A low-polygon animation with smooth outlines: triangles that follow their normals.
+run render examples/walk.glb --tessellation fractional --frames 1-48 --fps 24 --size 640x480 -o "$out/walk_smooth.mkv"
 # An animation to video.
 run render edges/dilated_edges examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk_edges.mkv"
 run render examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk.mkv"

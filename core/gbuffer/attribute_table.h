@@ -35,6 +35,8 @@ enum class Attribute : std::uint8_t {
   kRoughness,
   kMetallic,
   kLightDepth,
+  kPatchUv,
+  kPatchId,
   kVideo,
   kEdges,
   kEdgeDist,

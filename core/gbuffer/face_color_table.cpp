@@ -70,19 +70,17 @@ FaceColorTable::FaceColorTable(const scene::Scene& scene) : scene_(&scene), buff
 void FaceColorTable::Gather(std::span<const FaceEdge> edges, const FrameInput& frame, const SampleView& view) {
   PlanSamples(edges, plan_);
   samples_.resize(std::size_t{plan_.blocks()} * kSampleBlock);
-  std::vector<FaceArrays> arrays(frame.items.size());
+  std::vector<scene::ItemGeometry> geometry(frame.items.size());
   std::vector<DrawBlock> blocks(frame.items.size());
   for (const SampleRange& range : plan_.ranges) {
-    const scene::DrawItem& item = frame.items[range.item];
-    const scene::Mesh& mesh = scene_->meshes[static_cast<std::size_t>(item.mesh)];
-    arrays[range.item] = ArraysOf(mesh.primitives[static_cast<std::size_t>(item.primitive)], item);
-    blocks[range.item] = MakeDrawBlock(item);
+    geometry[range.item] = scene::GeometryOf(*scene_, frame.items[range.item]);
+    blocks[range.item] = MakeDrawBlock(frame.items[range.item]);
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges.size(), kGrain),
                     [&](const tbb::blocked_range<std::size_t>& some) {
                       for (std::size_t i = some.begin(); i < some.end(); ++i) {
                         const std::uint32_t item = edges[i].item;
-                        SampleEdge(edges[i], arrays[item], blocks[item], view, &samples_[plan_.first[i]]);
+                        SampleEdge(edges[i], geometry[item], blocks[item], view, &samples_[plan_.first[i]]);
                       }
                     });
 }

@@ -83,30 +83,20 @@ void PlanSamples(std::span<const FaceEdge> edges, SamplePlan& plan) {
   for (std::size_t i = 0; i < edges.size(); ++i) plan.first[i] += offsets[edges[i].item];
 }
 
-FaceArrays ArraysOf(const scene::Primitive& primitive, const scene::DrawItem& item) {
-  FaceArrays arrays;
-  arrays.positions = item.is_deformed ? item.deformed.positions : primitive.positions;
-  arrays.normals = item.is_deformed ? item.deformed.normals : primitive.normals;
-  arrays.tangents = item.is_deformed ? item.deformed.tangents : primitive.tangents;
-  arrays.colors = primitive.colors;
-  arrays.texcoords = {primitive.texcoords[0], primitive.texcoords[1]};
-  return arrays;
-}
-
-void SampleEdge(const FaceEdge& edge, const FaceArrays& arrays, const DrawBlock& draw, const SampleView& view,
-                FaceSample* samples) {
-  const Corners<glm::vec3> position(arrays.positions, edge, glm::vec3(0.0f));
-  const Corners<glm::vec3> normal(arrays.normals, edge, glm::vec3(0.0f));
-  const Corners<glm::vec4> tangent(arrays.tangents, edge, glm::vec4(0.0f));
-  const Corners<glm::vec4> color(arrays.colors, edge, glm::vec4(1.0f));
-  const std::array texcoords = {Corners<glm::vec2>(arrays.texcoords[0], edge, glm::vec2(0.0f)),
-                                Corners<glm::vec2>(arrays.texcoords[1], edge, glm::vec2(0.0f))};
+void SampleEdge(const FaceEdge& edge, const scene::ItemGeometry& geometry, const DrawBlock& draw,
+                const SampleView& view, FaceSample* samples) {
+  const Corners<glm::vec3> position(geometry.positions, edge, glm::vec3(0.0f));
+  const Corners<glm::vec3> normal(geometry.normals, edge, glm::vec3(0.0f));
+  const Corners<glm::vec4> tangent(geometry.tangents, edge, glm::vec4(0.0f));
+  const Corners<glm::vec4> color(geometry.colors, edge, glm::vec4(1.0f));
+  const std::array texcoords = {Corners<glm::vec2>(geometry.texcoords[0], edge, glm::vec2(0.0f)),
+                                Corners<glm::vec2>(geometry.texcoords[1], edge, glm::vec2(0.0f))};
   Corners<glm::vec3> world = position;
   for (glm::vec3* corner : {&world.a, &world.b, &world.c}) {
     *corner = glm::vec3(draw.world_from_object * glm::vec4(*corner, 1.0f));
   }
   const glm::mat3 normal_matrix(draw.normal_columns[0], draw.normal_columns[1], draw.normal_columns[2]);
-  const bool has_texcoords = !arrays.texcoords[0].empty() || !arrays.texcoords[1].empty();
+  const bool has_texcoords = !geometry.texcoords[0].empty() || !geometry.texcoords[1].empty();
   for (std::uint32_t i = 0; i < edge.points; ++i) {
     const float t = PlaceOf(edge, i);
     FaceSample& sample = samples[i];

@@ -9,7 +9,7 @@
 
 #include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/gpu_blocks.h"
-#include "core/scene/scene.h"
+#include "core/scene/item_geometry.h"
 
 namespace burin::gbuffer {
 
@@ -42,18 +42,9 @@ struct SampleView {
   int width = 0, height = 0;
 };
 
-/// The arrays that an item is drawn with. All but `positions` may be empty.
-struct FaceArrays {
-  std::span<const glm::vec3> positions, normals;
-  std::span<const glm::vec4> tangents, colors;
-  std::array<std::span<const glm::vec2>, 2> texcoords;
-};
-
-[[nodiscard]] FaceArrays ArraysOf(const scene::Primitive& primitive, const scene::DrawItem& item);
-
-/// Writes the points of one edge to `samples`: edge.points of them.
-void SampleEdge(const FaceEdge& edge, const FaceArrays& arrays, const DrawBlock& draw, const SampleView& view,
-                FaceSample* samples);
+/// Writes the points of one edge of `geometry` to `samples`: edge.points of them.
+void SampleEdge(const FaceEdge& edge, const scene::ItemGeometry& geometry, const DrawBlock& draw,
+                const SampleView& view, FaceSample* samples);
 
 /// GLSL expression: the place of a fragment.
 [[nodiscard]] std::string_view FaceSampleIndex();

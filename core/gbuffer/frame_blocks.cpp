@@ -70,7 +70,7 @@ DrawBlock MakeDrawBlock(const scene::DrawItem& item) {
   // The cofactors are the inverse transpose times the determinant: take back its sign.
   const float sign = IsMirrored(item.world_from_object) ? -1.0f : 1.0f;
   for (std::size_t i = 0; i < 3; ++i) block.normal_columns[i] = glm::vec4(sign * columns[i], sign);
-  block.ids = glm::uvec4(item.object_id, item.material_id, item.first_primitive_id, 0);
+  block.ids = glm::uvec4(item.object_id, item.material_id, item.first_primitive_id, item.first_patch_id);
   return block;
 }
 

@@ -57,7 +57,7 @@ Result<const gl::Program*> GeometryPass::ProgramOf(Phase phase, std::uint32_t fe
   const auto found = programs_.find(key);
   if (found != programs_.end()) return &found->second;
   Result<gl::Program> program =
-      gl::Program::Create(GeometryVertexText(), GeometryFragmentText(OutputsOf(phase), features),
+      gl::Program::Create(GeometryVertexText(features), GeometryFragmentText(OutputsOf(phase), features),
                           fmt::format("geometry pass, features 0x{:x}", features));
   if (!program) return std::unexpected(program.error());
   return &programs_.emplace(key, std::move(*program)).first->second;

@@ -30,6 +30,12 @@ layout(location = 4) out vec2 v_texcoord0;
 layout(location = 5) out vec2 v_texcoord1;
 layout(location = 6) out vec3 v_clip;
 layout(location = 7) out vec3 v_previous_clip;
+#if HAS_PATCHES
+layout(location = 13) in vec2 in_patch_uv;
+layout(location = 14) in uint in_patch_id;
+layout(location = 8) out vec2 v_patch_uv;
+layout(location = 9) flat out uint v_patch_id;
+#endif
 invariant gl_Position;
 void main() {
   vec4 world = world_from_object * vec4(in_position, 1.0);
@@ -42,6 +48,10 @@ void main() {
   v_color = in_color;
   v_texcoord0 = in_texcoord0;
   v_texcoord1 = in_texcoord1;
+#if HAS_PATCHES
+  v_patch_uv = in_patch_uv;
+  v_patch_id = in_patch_id;
+#endif
 }
 )";
 
@@ -109,6 +119,15 @@ vec2 Texcoord0Dx() { return dFdx(v_texcoord0); }
 vec2 Texcoord0Dy() { return dFdy(v_texcoord0); }
 #define DROP discard
 #define SAMPLE(name, use) texture(name, Texcoord(use))
+#if HAS_PATCHES
+layout(location = 8) in vec2 v_patch_uv;
+layout(location = 9) flat in uint v_patch_id;
+uint PatchId() { return ids.w + v_patch_id; }
+vec2 PatchUv() { return v_patch_uv; }
+#else
+uint PatchId() { return 0u; }
+vec2 PatchUv() { return vec2(0.0); }
+#endif
 #endif
 
 struct Surface {
@@ -261,6 +280,7 @@ constexpr std::array kFeatureNames = {
     FeatureName{kIsBlend, "IS_BLEND"},
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
     FeatureName{kIsSample, "IS_SAMPLE"},
+    FeatureName{kHasPatches, "HAS_PATCHES"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -292,6 +312,8 @@ constexpr std::array kSources = {
     Source{Attribute::kObjectId, "ids.x", 0},
     Source{Attribute::kMaterialId, "ids.y", 0},
     Source{Attribute::kPrimitiveId, "(ids.z + uint(gl_PrimitiveID))", 0},
+    Source{Attribute::kPatchUv, "vec4(PatchUv(), 0.0, 0.0)", kHasPatches},
+    Source{Attribute::kPatchId, "PatchId()", kHasPatches},
     Source{Attribute::kFacing, "vec4(gl_FrontFacing ? 1.0 : -1.0)", 0},
     Source{Attribute::kVelocity, "vec4(PixelOf(v_clip) - PixelOf(v_previous_clip), 0.0, 0.0)", 0},
     Source{Attribute::kEmissive, "vec4(s.emissive, 0.0)", kHasEmissiveTexture},
@@ -340,8 +362,9 @@ std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t
   return features & relevant;
 }
 
-std::string GeometryVertexText() {
+std::string GeometryVertexText(std::uint32_t features) {
   std::string text = "#version 450 core\n";
+  text += fmt::format("#define HAS_PATCHES {}\n", (features & kHasPatches) != 0 ? 1 : 0);
   text += BlockDeclarations();
   text += kVertexBody;
   return text;

@@ -26,6 +26,7 @@ enum DrawFeature : std::uint32_t {
   kIsBlend = 1u << 11,    ///< alpha mode BLEND, drawn for the attributes that take the nearest opaque-enough surface
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
   kIsSample = 1u << 13,        ///< FaceSamples, one a fragment (face_samples.h says where), for their colour alone
+  kHasPatches = 1u << 14,      ///< the draw is a tessellated surface
 };
 
 /// BLEND surfaces with less alpha than this are not there for any attribute but color, intensity and alpha.
@@ -39,7 +40,8 @@ struct Output {
   bool is_blended = false;
 };
 
-[[nodiscard]] std::string GeometryVertexText();
+/// `features`: those of the fragment text that it goes with.
+[[nodiscard]] std::string GeometryVertexText(std::uint32_t features);
 [[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features);
 
 /// The features that make a difference to these outputs.

@@ -42,7 +42,7 @@ struct DrawBlock {
   glm::mat4 world_from_object;
   glm::mat4 previous_world_from_object;
   std::array<glm::vec4, 3> normal_columns;  ///< world normal from object normal; w of the first: the determinant's sign
-  glm::uvec4 ids;                           ///< object, material, first primitive
+  glm::uvec4 ids;                           ///< object, material, first primitive, first patch
 };
 
 struct MaterialBlock {

@@ -11,10 +11,14 @@
 
 #include "core/gl/buffer.h"
 #include "core/gl/vertex_layout.h"
+#include "core/scene/item_geometry.h"
 
 namespace burin::gbuffer {
 namespace {
 
+// What our own shaders read beside what effects may.
+constexpr int kLocationPatchUv = gl::kLocationTexCoord0 + 5;
+constexpr int kLocationPatchId = gl::kLocationTexCoord0 + 6;
 constexpr int kLocationPreviousPosition = gl::kLocationTexCoord0 + 7;
 
 // One attribute's numbers, one after the other.
@@ -25,16 +29,20 @@ struct Stream {
 };
 
 template <class T>
-void Add(std::vector<Stream>& streams, int location, const std::vector<T>& values) {
+void Add(std::vector<Stream>& streams, int location, std::span<const T> values) {
   if (values.empty()) return;
-  streams.push_back({location, static_cast<int>(sizeof(T) / sizeof(float)), std::as_bytes(std::span(values))});
+  streams.push_back({location, static_cast<int>(sizeof(T) / sizeof(float)), std::as_bytes(values)});
 }
 
 void Attach(GLuint vertex_array, GLuint buffer, std::size_t offset, int location, int components) {
   const auto index = static_cast<GLuint>(location);
   glVertexArrayVertexBuffer(vertex_array, index, buffer, static_cast<GLintptr>(offset),
                             components * static_cast<GLsizei>(sizeof(float)));
-  glVertexArrayAttribFormat(vertex_array, index, components, GL_FLOAT, GL_FALSE, 0);
+  if (location == kLocationPatchId) {
+    glVertexArrayAttribIFormat(vertex_array, index, components, GL_UNSIGNED_INT, 0);
+  } else {
+    glVertexArrayAttribFormat(vertex_array, index, components, GL_FLOAT, GL_FALSE, 0);
+  }
   glVertexArrayAttribBinding(vertex_array, index, index);
   glEnableVertexArrayAttrib(vertex_array, index);
 }
@@ -61,41 +69,46 @@ void Fill(GLuint buffer, std::span<const Stream> streams) {
   }
 }
 
-// The attributes of `streams`, in both vertex arrays; the previous position for our own shaders only.
-void AttachAll(const GpuPrimitive& primitive, GLuint buffer, std::span<const Stream> streams, bool is_deformed) {
+// The attributes of `streams`, in both vertex arrays; what effects know nothing of for our own shaders only. Without
+// previous positions among them, those are the positions.
+void AttachAll(const GpuPrimitive& primitive, GLuint buffer, std::span<const Stream> streams) {
+  const bool has_previous = std::ranges::find(streams, kLocationPreviousPosition, &Stream::location) != streams.end();
   std::size_t offset = 0;
   for (const Stream& stream : streams) {
     const bool is_position = stream.location == gl::kLocationPosition;
-    const bool is_previous = stream.location == kLocationPreviousPosition;
+    const bool is_ours = stream.location >= kLocationPatchUv;
     Attach(primitive.vertex_array.id(), buffer, offset, stream.location, stream.components);
-    if (!is_previous) Attach(primitive.effect_vertex_array.id(), buffer, offset, stream.location, stream.components);
-    if (is_position && !is_deformed) {
+    if (!is_ours) Attach(primitive.effect_vertex_array.id(), buffer, offset, stream.location, stream.components);
+    if (is_position && !has_previous) {
       Attach(primitive.vertex_array.id(), buffer, offset, kLocationPreviousPosition, stream.components);
     }
     offset += stream.bytes.size();
   }
 }
 
-std::vector<Stream> ConstantStreams(const scene::Primitive& primitive) {
+std::vector<Stream> ConstantStreams(const scene::ItemGeometry& geometry) {
   std::vector<Stream> streams;
-  Add(streams, gl::kLocationColor0, primitive.colors);
-  Add(streams, gl::kLocationTexCoord0, primitive.texcoords[0]);
-  Add(streams, gl::kLocationTexCoord0 + 1, primitive.texcoords[1]);
+  Add(streams, gl::kLocationColor0, geometry.colors);
+  Add(streams, gl::kLocationTexCoord0, geometry.texcoords[0]);
+  Add(streams, gl::kLocationTexCoord0 + 1, geometry.texcoords[1]);
   return streams;
 }
 
-std::vector<Stream> ShapeStreams(const scene::Primitive& primitive, const scene::DrawItem& item) {
+std::vector<Stream> ShapeStreams(const scene::ItemGeometry& geometry) {
   std::vector<Stream> streams;
-  if (item.is_deformed) {
-    Add(streams, gl::kLocationPosition, item.deformed.positions);
-    Add(streams, kLocationPreviousPosition, item.deformed.previous_positions);
-    Add(streams, gl::kLocationNormal, item.deformed.normals);
-    Add(streams, gl::kLocationTangent, item.deformed.tangents);
-  } else {
-    Add(streams, gl::kLocationPosition, primitive.positions);
-    Add(streams, gl::kLocationNormal, primitive.normals);
-    Add(streams, gl::kLocationTangent, primitive.tangents);
-  }
+  Add(streams, gl::kLocationPosition, geometry.positions);
+  Add(streams, kLocationPreviousPosition, geometry.previous_positions);
+  Add(streams, gl::kLocationNormal, geometry.normals);
+  Add(streams, gl::kLocationTangent, geometry.tangents);
+  return streams;
+}
+
+std::vector<Stream> SurfaceStreams(const scene::ItemGeometry& geometry) {
+  std::vector<Stream> streams = ConstantStreams(geometry);
+  const std::vector<Stream> shape = ShapeStreams(geometry);
+  streams.insert(streams.end(), shape.begin(), shape.end());
+  Add(streams, kLocationPatchUv, geometry.patch_uv);
+  Add(streams, kLocationPatchId, geometry.patch_ids);
   return streams;
 }
 
@@ -111,7 +124,7 @@ GLenum ModeOf(scene::PrimitiveMode mode) {
   return GL_TRIANGLES;
 }
 
-glm::vec3 CenterOf(const std::vector<glm::vec3>& positions) {
+glm::vec3 CenterOf(std::span<const glm::vec3> positions) {
   if (positions.empty()) return glm::vec3(0.0f);
   glm::vec3 low = positions.front();
   glm::vec3 high = low;
@@ -130,63 +143,101 @@ Result<void> Allocate(GLuint buffer, std::size_t bytes, GLenum usage, const void
   return {};
 }
 
-Result<GpuPrimitive> Upload(const scene::Primitive& source, const scene::DrawItem& item) {
+GpuPrimitive NewPrimitive(scene::PrimitiveMode mode) {
   GpuPrimitive primitive;
-  primitive.mode = ModeOf(source.mode);
-  primitive.index_count = static_cast<int>(source.indices.size());
+  primitive.mode = ModeOf(mode);
   primitive.indices = gl::CreateBuffer("indices");
   primitive.vertices = gl::CreateBuffer("vertices");
   primitive.vertex_array = NewVertexArray(primitive.indices.id());
   primitive.effect_vertex_array = NewVertexArray(primitive.indices.id());
-  primitive.has_texcoords = !source.texcoords[0].empty();
+  return primitive;
+}
 
-  const auto indices = std::as_bytes(std::span(source.indices));
+void NoteWhatIsThere(const scene::ItemGeometry& geometry, GpuPrimitive& primitive) {
+  primitive.index_count = static_cast<int>(geometry.indices.size());
+  primitive.has_normals = !geometry.normals.empty();
+  primitive.has_tangents = !geometry.tangents.empty();
+  primitive.has_texcoords = !geometry.texcoords[0].empty();
+  primitive.has_patches = !geometry.patch_ids.empty();
+}
+
+Result<GpuPrimitive> Upload(const scene::ItemGeometry& geometry, bool is_deformed) {
+  GpuPrimitive primitive = NewPrimitive(geometry.mode);
+  NoteWhatIsThere(geometry, primitive);
+  const auto indices = std::as_bytes(geometry.indices);
   if (auto done = Allocate(primitive.indices.id(), indices.size(), GL_STATIC_DRAW, indices.data()); !done) {
     return std::unexpected(done.error());
   }
-  std::vector<Stream> streams = ConstantStreams(source);
-  const std::vector<Stream> shape = ShapeStreams(source, item);
-  if (!item.is_deformed) streams.insert(streams.end(), shape.begin(), shape.end());
+  std::vector<Stream> streams = ConstantStreams(geometry);
+  const std::vector<Stream> shape = ShapeStreams(geometry);
+  if (!is_deformed) streams.insert(streams.end(), shape.begin(), shape.end());
   if (auto done = Allocate(primitive.vertices.id(), TotalBytes(streams), GL_STATIC_DRAW, nullptr); !done) {
     return std::unexpected(done.error());
   }
   Fill(primitive.vertices.id(), streams);
-  AttachAll(primitive, primitive.vertices.id(), streams, item.is_deformed);
-  if (item.is_deformed) {
+  AttachAll(primitive, primitive.vertices.id(), streams);
+  if (is_deformed) {
     primitive.deformed = gl::CreateBuffer("deformed vertices");
-    AttachAll(primitive, primitive.deformed.id(), shape, true);
+    AttachAll(primitive, primitive.deformed.id(), shape);
   } else {
-    primitive.center = CenterOf(source.positions);
+    primitive.center = CenterOf(geometry.positions);
   }
-  const auto has = [&](int location) { return std::ranges::find(shape, location, &Stream::location) != shape.end(); };
-  primitive.has_normals = has(gl::kLocationNormal);
-  primitive.has_tangents = has(gl::kLocationTangent);
   return primitive;
+}
+
+// All of this frame's triangles.
+Result<void> Replace(const scene::ItemGeometry& geometry, GpuPrimitive& primitive) {
+  NoteWhatIsThere(geometry, primitive);
+  const auto indices = std::as_bytes(geometry.indices);
+  if (auto done = Allocate(primitive.indices.id(), indices.size(), GL_STREAM_DRAW, indices.data()); !done) return done;
+  const std::vector<Stream> streams = SurfaceStreams(geometry);
+  if (auto done = Allocate(primitive.vertices.id(), TotalBytes(streams), GL_STREAM_DRAW, nullptr); !done) return done;
+  Fill(primitive.vertices.id(), streams);
+  AttachAll(primitive, primitive.vertices.id(), streams);
+  primitive.center = CenterOf(geometry.positions);
+  return {};
 }
 
 }  // namespace
 
 Result<const GpuPrimitive*> MeshStore::Prepare(const scene::DrawItem& item, bool wants_center) {
-  const scene::Primitive& source =
-      scene_->meshes.at(static_cast<std::size_t>(item.mesh)).primitives.at(static_cast<std::size_t>(item.primitive));
+  if (item.surface) return PrepareSurface(item);
+  const scene::ItemGeometry geometry = scene::GeometryOf(*scene_, item);
   const std::tuple key(item.is_deformed, item.is_deformed ? item.node : item.mesh, item.primitive);
   auto found = primitives_.find(key);
   if (found == primitives_.end()) {
-    Result<GpuPrimitive> uploaded = Upload(source, item);
+    Result<GpuPrimitive> uploaded = Upload(geometry, item.is_deformed);
     if (!uploaded) return std::unexpected(uploaded.error());
     found = primitives_.emplace(key, std::move(*uploaded)).first;
   }
   GpuPrimitive& primitive = found->second;
   if (item.is_deformed) {
-    const std::vector<Stream> shape = ShapeStreams(source, item);
+    const std::vector<Stream> shape = ShapeStreams(geometry);
     // A fresh store every frame, so that the driver need not wait for the frame before.
     if (auto done = Allocate(primitive.deformed.id(), TotalBytes(shape), GL_STREAM_DRAW, nullptr); !done) {
       return std::unexpected(done.error());
     }
     Fill(primitive.deformed.id(), shape);
-    if (wants_center) primitive.center = CenterOf(item.deformed.positions);
+    if (wants_center) primitive.center = CenterOf(geometry.positions);
   }
   return &primitive;
+}
+
+Result<const GpuPrimitive*> MeshStore::PrepareSurface(const scene::DrawItem& item) {
+  auto found = surfaces_.find({item.node, item.primitive});
+  if (found == surfaces_.end()) {
+    Surface surface{.primitive = NewPrimitive(scene::PrimitiveMode::kTriangles), .shown = nullptr};
+    found = surfaces_.emplace(std::pair(item.node, item.primitive), std::move(surface)).first;
+  }
+  Surface& surface = found->second;
+  if (surface.shown != item.surface) {
+    surface.shown = nullptr;
+    if (auto done = Replace(scene::GeometryOf(*scene_, item), surface.primitive); !done) {
+      return std::unexpected(done.error());
+    }
+    surface.shown = item.surface;
+  }
+  return &surface.primitive;
 }
 
 void SetMissingAttributes() {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/gl/handle.h"
@@ -14,8 +16,8 @@
 
 namespace burin::gbuffer {
 
-/// A primitive on the device. Attributes at gl::VertexLocation; the previous position at TEXCOORD7's place, in
-/// `vertex_array` only.
+/// A primitive on the device. Attributes at gl::VertexLocation; the patch's (u, v), its id and the previous position at
+/// the places of TEXCOORD5 to TEXCOORD7, in `vertex_array` only.
 struct GpuPrimitive {
   gl::BufferHandle vertices;  ///< what never changes
   gl::BufferHandle indices;
@@ -27,11 +29,12 @@ struct GpuPrimitive {
   bool has_normals = false;
   bool has_tangents = false;
   bool has_texcoords = false;
+  bool has_patches = false;
   glm::vec3 center{0.0f};  ///< of the bounds, in the space of the draw's vertices
 };
 
 /// Uploads primitives when they are first drawn: one copy for all nodes that show a mesh, one a node where it is
-/// deformed.
+/// deformed. Tessellated surfaces are one a node too, uploaded when they change.
 class MeshStore {
  public:
   explicit MeshStore(const scene::Scene& scene) : scene_(&scene) {}
@@ -41,8 +44,15 @@ class MeshStore {
   [[nodiscard]] Result<const GpuPrimitive*> Prepare(const scene::DrawItem& item, bool wants_center);
 
  private:
+  struct Surface {
+    GpuPrimitive primitive;
+    std::shared_ptr<const scene::ItemSurface> shown;  ///< what the buffers hold
+  };
+  [[nodiscard]] Result<const GpuPrimitive*> PrepareSurface(const scene::DrawItem& item);
+
   const scene::Scene* scene_;
   std::map<std::tuple<bool, int, int>, GpuPrimitive> primitives_;  // deformed?, node or mesh, primitive
+  std::map<std::pair<int, int>, Surface> surfaces_;                // node, primitive
 };
 
 /// Values that vertex shaders read where a mesh has no array: white vertex colours, zeros.

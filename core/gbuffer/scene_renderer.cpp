@@ -120,6 +120,7 @@ Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
     draw.features |= draw.primitive->has_normals ? kHasNormals : kIsUnlit;
     if (draw.primitive->has_tangents) draw.features |= kHasTangents;
     if (draw.primitive->has_texcoords) draw.features |= kHasTexcoords;
+    if (draw.primitive->has_patches) draw.features |= kHasPatches;
     draw.view_depth =
         -(frame.view.view_from_world * item.world_from_object * glm::vec4(draw.primitive->center, 1.0f)).z;
 

@@ -70,7 +70,7 @@ EdgeKind Classifier::KindOf(const geometry::Edge& edge) const {
   const float cosine = glm::dot(planes_.Normal(edge.left), planes_.Normal(edge.right));
   const bool normals_differ = AtAnEnd(edge, [&](std::uint32_t a, std::uint32_t b) { return NormalsDiffer(a, b); });
   if (normals_differ && cosine < same_cosine_) return EdgeKind::kCrease;
-  if (cosine < same_cosine_ && cosine < crease_cosine_) return EdgeKind::kCrease;
+  if (!input_.is_curved && cosine < same_cosine_ && cosine < crease_cosine_) return EdgeKind::kCrease;
   const bool attributes_differ = AtAnEnd(edge, [&](std::uint32_t a, std::uint32_t b) {
     return Differ(input_.colors, a, b, kSameColor) || Differ(input_.texcoords[0], a, b, kSameTexcoord) ||
            Differ(input_.texcoords[1], a, b, kSameTexcoord);

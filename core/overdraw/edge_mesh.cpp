@@ -13,6 +13,7 @@
 #include "core/overdraw/edge_classifier.h"
 #include "core/overdraw/open_surfaces.h"
 #include "core/overdraw/sharp_paths.h"
+#include "core/overdraw/slivers.h"
 
 namespace burin::overdraw {
 namespace {
@@ -76,9 +77,12 @@ Result<EdgeMesh> BuildEdgeMesh(const MeshInput& input, const EdgeMeshOptions& op
   mesh.keeps_concave = options.keeps_concave;
 
   const std::vector<std::uint32_t> welded = geometry::WeldPositions(mesh.positions);
-  const std::vector<std::uint8_t> degenerate = geometry::FindDegenerate(mesh.triangles, mesh.positions);
+  // Without a curved surface's slivers there would be boundaries on both sides of each.
+  std::vector<std::uint8_t> degenerate;
+  if (!input.is_curved) degenerate = geometry::FindDegenerate(mesh.triangles, mesh.positions);
   mesh.edges = geometry::BuildEdges(mesh.triangles, welded, degenerate);
   ComputeFacePlanes(mesh.triangles, mesh.positions, degenerate, mesh.planes);
+  if (input.is_curved) TurnSlivers(mesh.triangles, mesh.positions, mesh.edges, mesh.planes);
   mesh.kinds = ClassifyEdges(input, mesh.edges, mesh.planes, options.crease_angle_deg);
   mesh.is_open = FindOpenSurfaces(mesh.edges, mesh.kinds, mesh.double_sided, mesh.face_count());
   mesh.is_closed = !mesh.edges.empty() && std::ranges::find(mesh.is_open, 1) == mesh.is_open.end();

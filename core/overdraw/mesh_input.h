@@ -25,6 +25,9 @@ struct MeshInput {
   std::span<const int> face_materials{};       ///< empty (one material) or one a triangle
   /// Empty (none is) or one a triangle, nonzero: drawn from behind too.
   std::span<const std::uint8_t> face_double_sided{};
+  /// The triangles stand for a curved surface whose normals are the vertices': only those say where it is sharp, and a
+  /// sliver, whose own plane is what rounding left of it, looks where its neighbour looks.
+  bool is_curved = false;
 };
 
 /// kInput, naming the mesh, when an array has the wrong length, an index has no vertex, a position is no finite number

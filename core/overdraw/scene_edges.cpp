@@ -10,13 +10,15 @@
 #include <numeric>
 #include <optional>
 
+#include "core/scene/item_geometry.h"
+
 namespace burin::overdraw {
 namespace {
 
 using Items = std::span<const scene::DrawItem>;
 
 template <class T>
-void AppendPadded(std::vector<T>& all, const std::vector<T>& some, std::size_t size, const T& missing) {
+void AppendPadded(std::vector<T>& all, std::span<const T> some, std::size_t size, const T& missing) {
   all.insert(all.end(), some.begin(), some.end());
   all.resize(size, missing);
 }
@@ -30,19 +32,22 @@ struct JoinedMesh {
   std::vector<int> materials;
   std::vector<std::uint8_t> double_sided;
 
-  void Add(const scene::Primitive& primitive, bool is_double_sided) {
+  bool is_curved = false;
+
+  void Add(const scene::ItemGeometry& geometry, int material, bool is_double_sided) {
     const auto base = static_cast<std::uint32_t>(positions.size());
-    positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+    positions.insert(positions.end(), geometry.positions.begin(), geometry.positions.end());
     const std::size_t size = positions.size();
-    AppendPadded(normals, primitive.normals, size, glm::vec3(0.0f));
-    AppendPadded(colors, primitive.colors, size, glm::vec4(1.0f));
+    AppendPadded(normals, geometry.normals, size, glm::vec3(0.0f));
+    AppendPadded(colors, geometry.colors, size, glm::vec4(1.0f));
     for (std::size_t set = 0; set < 2; ++set) {
-      AppendPadded(texcoords[set], primitive.texcoords[set], size, glm::vec2(0.0f));
+      AppendPadded(texcoords[set], geometry.texcoords[set], size, glm::vec2(0.0f));
     }
-    for (const std::uint32_t index : primitive.indices) triangles.push_back(base + index);
+    for (const std::uint32_t index : geometry.indices) triangles.push_back(base + index);
     const std::size_t faces = triangles.size() / 3;
-    materials.resize(faces, primitive.material);
+    materials.resize(faces, material);
     double_sided.resize(faces, is_double_sided ? 1 : 0);
+    is_curved |= !geometry.patch_ids.empty();
   }
 
   [[nodiscard]] MeshInput Input(std::string_view name) const {
@@ -53,7 +58,8 @@ struct JoinedMesh {
             .texcoords = {texcoords[0], texcoords[1]},
             .triangles = triangles,
             .face_materials = materials,
-            .face_double_sided = double_sided};
+            .face_double_sided = double_sided,
+            .is_curved = is_curved};
   }
 };
 
@@ -70,19 +76,20 @@ EdgeView ViewOf(const scene::View& view, const glm::mat4& world_from_object, con
   return seen;
 }
 
-std::string Describe(const EdgeMesh& mesh) {
-  const char* const way = mesh.is_deformed    ? "a scan, as it moves"
+std::string Describe(const EdgeMesh& mesh, bool is_curved) {
+  const char* const way = is_curved           ? "a scan, as its triangles change"
+                          : mesh.is_deformed  ? "a scan, as it moves"
                           : mesh.tree.empty() ? "a scan, as it is small"
                                               : "a tree";
   return fmt::format("mesh \"{}\": {} faces, {} edges, {} sharp, {} at boundaries; silhouettes by {}", mesh.name,
                      mesh.face_count(), mesh.edges.size(), mesh.sharp.size(), mesh.boundaries.size(), way);
 }
 
-}  // namespace
-
-const scene::Primitive& SceneEdges::PrimitiveOf(const scene::DrawItem& item) const {
-  return scene_->meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+bool HasSurface(Items items) {
+  return std::ranges::any_of(items, [](const scene::DrawItem& item) { return item.surface != nullptr; });
 }
+
+}  // namespace
 
 Result<SceneEdges::Object> SceneEdges::Build(Items items) {
   const scene::DrawItem& first = items.front();
@@ -90,20 +97,25 @@ Result<SceneEdges::Object> SceneEdges::Build(Items items) {
   Object object;
   JoinedMesh joined;
   for (const scene::DrawItem& item : items) {
-    const scene::Primitive& primitive = PrimitiveOf(item);
+    const scene::Primitive& primitive = scene::PrimitiveOf(*scene_, item);
+    object.surfaces.push_back(item.surface);
     object.first_vertex.push_back(static_cast<std::uint32_t>(joined.positions.size()));
     object.first_triangle.push_back(static_cast<std::uint32_t>(joined.triangles.size() / 3));
     if (primitive.mode != scene::PrimitiveMode::kTriangles) continue;
     const bool is_double_sided = primitive.material != scene::kNone &&
                                  scene_->materials[static_cast<std::size_t>(primitive.material)].double_sided;
-    // Kinds, paths and concavity are those of the pose that the file holds, whatever frame is drawn first.
-    joined.Add(primitive, is_double_sided);
+    // Kinds, paths and concavity are those of the pose that the file holds, whatever frame is drawn first. Surfaces
+    // have other triangles in every frame, and so all of it anew.
+    scene::DrawItem at_rest;
+    at_rest.mesh = item.mesh;
+    at_rest.primitive = item.primitive;
+    joined.Add(scene::GeometryOf(*scene_, item.surface ? item : at_rest), primitive.material, is_double_sided);
   }
   const std::string name = mesh_name.empty() ? fmt::format("#{}", first.mesh) : mesh_name;
   EdgeMeshOptions options;
   options.crease_angle_deg = options_.crease_angle_deg;
   options.keeps_concave = options_.mode == EdgeMode::kResolve;
-  if (first.is_deformed) options.least_tree_edges = ~std::size_t{0};
+  if (first.is_deformed || HasSurface(items)) options.least_tree_edges = kNoTree;
   Result<EdgeMesh> mesh = BuildEdgeMesh(joined.Input(name), options);
   if (!mesh) return std::unexpected(mesh.error());
   object.mesh = std::move(*mesh);
@@ -112,26 +124,28 @@ Result<SceneEdges::Object> SceneEdges::Build(Items items) {
 
 Result<SceneEdges::Object*> SceneEdges::Prepare(Items items) {
   const scene::DrawItem& first = items.front();
-  const std::pair key(first.is_deformed, first.is_deformed ? first.node : first.mesh);
+  const bool has_surface = HasSurface(items);
+  const bool is_of_node = first.is_deformed || has_surface;
+  const std::pair key(is_of_node, is_of_node ? first.node : first.mesh);
   auto found = objects_.find(key);
   const bool is_new = found == objects_.end();
-  if (is_new) {
+  if (is_new || (has_surface && !std::ranges::equal(items, found->second.surfaces, {}, &scene::DrawItem::surface))) {
     Result<Object> built = Build(items);
     if (!built) return std::unexpected(built.error());
-    found = objects_.emplace(key, std::move(*built)).first;
+    found = objects_.insert_or_assign(key, std::move(*built)).first;
   }
   Object& object = found->second;
-  if (first.is_deformed) {
+  if (first.is_deformed && !has_surface) {
     std::vector<glm::vec3> positions;
     positions.reserve(object.mesh.positions.size());
     for (const scene::DrawItem& item : items) {
-      if (PrimitiveOf(item).mode != scene::PrimitiveMode::kTriangles) continue;
+      if (scene::PrimitiveOf(*scene_, item).mode != scene::PrimitiveMode::kTriangles) continue;
       const std::vector<glm::vec3>& moved = item.deformed.positions;
       positions.insert(positions.end(), moved.begin(), moved.end());
     }
     UpdateDeformed(object.mesh, positions);
   }
-  if (is_new && object.mesh.face_count() > 0) notes_.push_back(Describe(object.mesh));
+  if (is_new && object.mesh.face_count() > 0) notes_.push_back(Describe(object.mesh, has_surface));
   return &object;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,7 +20,7 @@
 namespace burin::overdraw {
 
 /// The discontinuity edges of a scene, frame by frame. What does not depend on the view is prepared when an object is
-/// first seen: once a mesh, or once a node where skins or morphs move it.
+/// first seen: once a mesh, or once a node where skins or morphs move it; of tessellated surfaces whenever they change.
 class SceneEdges {
  public:
   /// `scene` outlives this.
@@ -35,14 +36,14 @@ class SceneEdges {
   /// The items of one node that share a space, and its edges.
   struct Object {
     EdgeMesh mesh;
-    std::vector<std::uint32_t> first_vertex;    ///< of each primitive among the mesh's vertices
-    std::vector<std::uint32_t> first_triangle;  ///< and triangles
+    std::vector<std::uint32_t> first_vertex;                          ///< of each primitive among the mesh's vertices
+    std::vector<std::uint32_t> first_triangle;                        ///< and triangles
+    std::vector<std::shared_ptr<const scene::ItemSurface>> surfaces;  ///< of each item, what it was built from
   };
   using Items = std::span<const scene::DrawItem>;
 
   [[nodiscard]] Result<Object*> Prepare(Items items);
   [[nodiscard]] Result<Object> Build(Items items);
-  [[nodiscard]] const scene::Primitive& PrimitiveOf(const scene::DrawItem& item) const;
   void Append(const Object& object, Items items, std::uint32_t first_item, const scene::View& view);
   void Order();
 

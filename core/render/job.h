@@ -9,6 +9,7 @@
 
 #include "core/image/image_module.h"
 #include "core/overdraw/edge_options.h"
+#include "core/scene/tessellation_options.h"
 #include "core/video/video_module.h"
 
 namespace burin::render {
@@ -37,6 +38,7 @@ struct Job {
   std::string environment;
   std::optional<std::array<float, 4>> background;  ///< scene-linear RGBA behind a scene; absent: transparent
   overdraw::EdgeOptions edges;
+  scene::TessellationOptions tessellation;
   int samples = 1;  ///< of a scene's colour, a pixel: 1, 4 or 16
   image::ColorOptions color;
   std::string device = "auto";

@@ -8,7 +8,7 @@
 #include "core/render/frame_list.h"
 #include "core/render/source.h"
 #include "core/scene/describe.h"
-#include "core/scene/gltf_reader.h"
+#include "core/scene/read_scene.h"
 
 namespace burin::render {
 namespace {
@@ -63,7 +63,7 @@ Result<SourceInfo> Look(const std::string& path) {
 }
 
 Result<std::string> SceneDescription(const std::string& path, bool as_json) {
-  const auto scene = scene::ReadGltf(path, {});
+  const auto scene = scene::ReadScene(path, {});
   if (!scene) return std::unexpected(scene.error());
   return scene::DescribeScene(*scene, as_json);
 }

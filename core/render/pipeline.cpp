@@ -123,6 +123,8 @@ class Pipeline {
       }
       const auto drawn = renderer_.Render(*frame);
       pool_.Give(frame->picture);
+      for (const std::string& warning : frame->warnings) progress_.Warning(warning);
+      for (const std::string& note : frame->notes) progress_.Info(note);
       for (const std::string& warning : renderer_.TakeWarnings()) progress_.Warning(warning);
       for (const std::string& note : renderer_.TakeNotes()) progress_.Info(note);
       if (!drawn && !outcome_.Failed(frame->number, drawn.error())) return;

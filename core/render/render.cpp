@@ -5,6 +5,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <chrono>
 #include <future>
 #include <optional>
 
@@ -156,12 +157,19 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   if (job.samples > 1 && source.kind != SourceKind::kScene) {
     progress.Warning(fmt::format("--samples {}: the source is no scene, so there is nothing to sample", job.samples));
   }
+  if (job.tessellation.curves_meshes() && source.kind != SourceKind::kScene) {
+    progress.Warning("--tessellation: the source is no scene, so there is nothing to tessellate");
+  }
   for (const std::string& warning : (*renderer)->TakeWarnings()) progress.Warning(warning);
   auto sink = OpenSink(plan, job, source, prepared.transform);
   if (!sink) return std::unexpected(sink.error());
   progress.Info(fmt::format("frame: {}x{}, {:g} frames a second", plan.width, plan.height, plan.rate.value()));
   progress.Started(ExpectedFrames(plan, source));
-  return RunPipeline(plan, *prepared.source, **renderer, **sink, job.keep_going, progress, stop, frames_done);
+  const auto begin = std::chrono::steady_clock::now();
+  auto result = RunPipeline(plan, *prepared.source, **renderer, **sink, job.keep_going, progress, stop, frames_done);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  for (const std::string& note : prepared.source->Summary(elapsed.count())) progress.Info(note);
+  return result;
 }
 
 Result<void> RunJob(const Job& job, Progress& progress, const std::atomic<bool>& stop, long& frames_done) {

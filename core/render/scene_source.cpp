@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "core/gbuffer/key_light.h"
 #include "core/render/source.h"
-#include "core/scene/gltf_reader.h"
+#include "core/scene/item_tessellator.h"
+#include "core/scene/read_scene.h"
 
 namespace burin::render {
 namespace {
@@ -16,26 +18,46 @@ namespace {
 /// that one frame alone has the same bits as in a full run.
 constexpr int kBoundsSamples = 16;
 
-/// Calls `see` with the scene's items at moments all over its animation.
+/// Sides of a surface are cut in so many for its bounds: a quarter of a circle is then exact to a 200th of its radius.
+constexpr float kBoundsFactor = 8.0f;
+constexpr float kManyPatchesFactor = 2.0f;
+constexpr std::size_t kManyPatches = 500;
+
+/// Of patch models, or triangles that may become patches.
+std::size_t CountPatches(const scene::Scene& scene) {
+  std::size_t count = 0;
+  for (const scene::Mesh& mesh : scene.meshes) {
+    for (const scene::Primitive& p : mesh.primitives)
+      count += p.patches ? p.patches->patches.size() : p.indices.size() / 3;
+  }
+  return count;
+}
+
+/// Calls `see` with the scene's items, surfaces included, at moments all over its animation.
 template <class See>
-void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, const See& see) {
+void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations,
+              const scene::TessellationOptions& tessellation, const See& see) {
   const double duration_s = scene::Duration(scene, animations);
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
   std::vector<scene::DrawItem> items;
+  scene::ItemTessellator tessellator(scene, tessellation);
+  const float factor = CountPatches(scene) > kManyPatches ? kManyPatchesFactor : kBoundsFactor;
   for (int i = 0; i < samples; ++i) {
     const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
-    scene::UpdateDrawItems(scene, pose, pose, items);
+    scene::UpdateDrawItems(scene, pose, pose, items, tessellator.is_active());
+    if (tessellator.is_active()) (void)tessellator.TessellateEvenly(factor, items);  // too many: the cage's bounds
     see(items);
   }
 }
 
 /// `fits_angle`: the automatic camera comes as near as this one orbit angle allows.
 scene::CameraChoice FrameWhole(const scene::Scene& scene, const scene::AnimationSelection& animations,
-                               std::pair<int, int> size, double orbit_deg, bool fits_angle) {
+                               const scene::TessellationOptions& tessellation, std::pair<int, int> size,
+                               double orbit_deg, bool fits_angle) {
   scene::CameraChoice choice;
   if (fits_angle) choice.reach.emplace();
   const std::array<glm::mat4, 2> maps = scene::AutoReach(size.first, size.second, orbit_deg);
-  OverTime(scene, animations, [&](const std::vector<scene::DrawItem>& items) {
+  OverTime(scene, animations, tessellation, [&](const std::vector<scene::DrawItem>& items) {
     choice.bounds.Extend(scene::ComputeBounds(scene, items));
     for (std::size_t i = 0; i < maps.size() && fits_angle; ++i) {
       (*choice.reach)[i].Extend(scene::ComputeBounds(scene, items, maps[i]));
@@ -49,14 +71,21 @@ class SceneSource final : public Source {
   SceneSource(scene::Scene scene, scene::AnimationSelection animations, int camera_node, const Job& job)
       : scene_(std::move(scene)),
         animations_(std::move(animations)),
+        tessellator_(scene_, TessellationOf(job)),
         turntable_(job.turntable_frames),
         orbit_deg_(job.orbit_deg.value_or(0.0)),
         size_(job.size.value_or(kDefaultSize)),
         rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
     const bool turns = job.orbit_deg.has_value() || turntable_ > 0;
-    camera_ = FrameWhole(scene_, animations_, size_, orbit_deg_, camera_node == scene::kNone && !turns);
+    camera_ =
+        FrameWhole(scene_, animations_, TessellationOf(job), size_, orbit_deg_, camera_node == scene::kNone && !turns);
     camera_.camera_node = camera_node;
+    const std::optional<float>& factor = job.tessellation.factor;
+    if (factor && *factor != *TessellationOf(job).factor) {
+      scene_.warnings.push_back(fmt::format("--tessellation-factor {:g} is not between 1 and {:g}; {:g} is taken",
+                                            *factor, tessellation::kMaxFactor, *TessellationOf(job).factor));
+    }
     info_.kind = SourceKind::kScene;
     info_.rate = job.fps;
     // A loop's last frame is the one before the first comes again.
@@ -81,15 +110,53 @@ class SceneSource final : public Source {
     auto now = std::make_unique<SceneFrame>();
     now->pose = scene::EvaluatePose(scene_, animations_, Time(number));
     const scene::Pose previous = scene::EvaluatePose(scene_, animations_, Time(number - 1));
-    now->items = scene::BuildDrawItems(scene_, now->pose, previous);
+    scene::UpdateDrawItems(scene_, now->pose, previous, now->items, tessellator_.is_active());
     now->view = View(now->pose, number);
     now->previous_view = View(previous, number - 1);
     FillContext(*now);
+    if (tessellator_.is_active()) {
+      if (Result<void> done = Tessellate(*now, frame); !done) return std::unexpected(done.error());
+    }
     frame.scene = std::move(now);
     return true;
   }
 
+  [[nodiscard]] std::vector<std::string> Summary(double elapsed_s) const override {
+    if (tessellated_frames_ == 0) return {};
+    return {fmt::format("tessellation: up to {} triangles a frame, {:.1f} ms a frame, {:.1f} % of the time",
+                        most_triangles_, 1e3 * tessellation_s_ / static_cast<double>(tessellated_frames_),
+                        elapsed_s > 0.0 ? 100.0 * tessellation_s_ / elapsed_s : 0.0)};
+  }
+
  private:
+  /// The crease angle is one for edges and for meshes that are curved.
+  static scene::TessellationOptions TessellationOf(const Job& job) {
+    scene::TessellationOptions options = job.tessellation;
+    options.crease_angle_deg = job.edges.crease_angle_deg;
+    if (options.factor) options.factor = std::clamp(*options.factor, 1.0f, tessellation::kMaxFactor);
+    return options;
+  }
+
+  Result<void> Tessellate(SceneFrame& now, SourceFrame& frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto counts = tessellator_.Tessellate(now.view, size_.first, size_.second, now.items);
+    if (!counts) return Fail(counts.error().kind, fmt::format("{}: {}", scene_.path, counts.error().message));
+    tessellation_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (tessellated_frames_++ == 0) {
+      frame.notes.push_back(fmt::format("tessellation: {} patches, {} triangles in frame {}", counts->patches,
+                                        counts->triangles, frame.number));
+    }
+    most_triangles_ = std::max(most_triangles_, counts->triangles);
+    if (counts->clamped > 0 && !told_clamped_) {
+      told_clamped_ = true;
+      frame.warnings.push_back(
+          fmt::format("{}: frame {}: {} sides of patches are longer than {:g} pieces of "
+                      "--edge-length; they are cut in {:g}",
+                      scene_.path, frame.number, counts->clamped, tessellation::kMaxFactor, tessellation::kMaxFactor));
+    }
+    return {};
+  }
+
   /// Seconds at a frame: frame 1 is 0.
   [[nodiscard]] double Time(long number) const { return static_cast<double>(number - 1) / rate_.value(); }
 
@@ -117,6 +184,11 @@ class SceneSource final : public Source {
 
   scene::Scene scene_;
   scene::AnimationSelection animations_;
+  scene::ItemTessellator tessellator_;
+  double tessellation_s_ = 0.0;
+  long tessellated_frames_ = 0;
+  std::size_t most_triangles_ = 0;
+  bool told_clamped_ = false;
   scene::CameraChoice camera_;
   SourceInfo info_;
   long turntable_;
@@ -128,13 +200,14 @@ class SceneSource final : public Source {
 }  // namespace
 
 Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job) {
-  scene::GltfOptions options;
+  scene::ReadOptions options;
+  options.subdivides = job.tessellation.mode != scene::TessellationMode::kOff;
   options.decode_image = [](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
     auto module = image::LoadImageModule();
     if (!module) return std::unexpected(module.error());
     return (*module)->ReadMemory(bytes, name);
   };
-  auto scene = scene::ReadGltf(job.source, options);
+  auto scene = scene::ReadScene(job.source, options);
   if (!scene) return std::unexpected(scene.error());
   auto animations = scene::SelectAnimations(*scene, job.animation);
   if (!animations) return std::unexpected(animations.error());

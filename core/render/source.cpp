@@ -7,6 +7,7 @@
 
 #include "core/base/path.h"
 #include "core/render/name_pattern.h"
+#include "core/scene/read_scene.h"
 
 namespace burin::render {
 namespace {
@@ -31,9 +32,8 @@ class EmptySource final : public Source {
 SourceKind ClassifySource(const std::string& source) {
   if (source.empty()) return SourceKind::kNone;
   if (source == "-") return SourceKind::kY4mStream;
-  const std::string extension = base::LowerExtension(source);
-  if (extension == "gltf" || extension == "glb") return SourceKind::kScene;
-  if (extension == "y4m") return SourceKind::kY4mFile;
+  if (scene::IsScenePath(source)) return SourceKind::kScene;
+  if (base::LowerExtension(source) == "y4m") return SourceKind::kY4mFile;
   if (video::IsVideoPath(source)) return SourceKind::kVideo;
   std::error_code status;
   if (std::filesystem::exists(source, status)) return SourceKind::kImage;
@@ -51,10 +51,6 @@ Result<std::unique_ptr<Source>> OpenSource(const Job& job) {
     if (std::filesystem::is_directory(job.source, status)) {
       return Fail(ErrorKind::kInput, fmt::format("{}: a folder; expected a scene, an image or a video", job.source));
     }
-  }
-  if (base::LowerExtension(job.source) == "bpt") {
-    return Fail(ErrorKind::kInput,
-                fmt::format("{}: patch models are not supported; expected .gltf or .glb", job.source));
   }
   switch (kind) {
     case SourceKind::kNone:

@@ -20,7 +20,7 @@ namespace burin::render {
 enum class SourceKind { kNone, kScene, kImage, kSequence, kVideo, kY4mFile, kY4mStream };
 
 /// What --source is by its name: "-" is a y4m stream, a name with a frame number a sequence unless a file has that very
-/// name, the rest by extension. kScene: .gltf .glb.
+/// name, the rest by extension. kScene: .gltf .glb .obj .bpt.
 [[nodiscard]] SourceKind ClassifySource(const std::string& source);
 
 struct SourceInfo {
@@ -50,6 +50,8 @@ struct SourceFrame {
   long number = 1;
   std::optional<image::Image> picture;
   std::unique_ptr<SceneFrame> scene;
+  std::vector<std::string> warnings;  ///< that this frame brought up
+  std::vector<std::string> notes;     ///< worth a line of --verbose
 };
 
 /// Where frames come from. One thread at a time calls Read.
@@ -64,6 +66,8 @@ class Source {
   [[nodiscard]] virtual const scene::Scene* scene() const { return nullptr; }
   /// Said once each.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+  /// After the last Read: what is worth a line of --verbose about all of them, which took `elapsed_s` to render.
+  [[nodiscard]] virtual std::vector<std::string> Summary(double /*elapsed_s*/) const { return {}; }
 };
 
 /// Size of a scene's frame without --size.

@@ -141,11 +141,18 @@ bool IsSame(const Deformation& a, const Deformation& b) {
 }  // namespace
 
 void DeformPrimitive(const Primitive& primitive, const Deformation& now, const Deformation& previous,
-                     DeformedVertices& out) {
+                     DeformedVertices& out, bool wants_previous_normals) {
   DeformAll(primitive, now, out);
   if (primitive.flat_normals) RemakeFlatNormals(primitive, now, out);
+  out.previous_normals.clear();
   if (IsSame(now, previous)) {
     out.previous_positions = out.positions;
+    if (wants_previous_normals) out.previous_normals = out.normals;
+  } else if (wants_previous_normals) {
+    DeformedVertices before;
+    DeformAll(primitive, previous, before);
+    out.previous_positions = std::move(before.positions);
+    out.previous_normals = std::move(before.normals);
   } else {
     DeformPositions(primitive, previous, out.previous_positions);
   }

@@ -19,6 +19,6 @@ struct Deformation {
 
 /// Fills `out`, reusing its arrays: world-space vertices when skinned, else object-space ones.
 void DeformPrimitive(const Primitive& primitive, const Deformation& now, const Deformation& previous,
-                     DeformedVertices& out);
+                     DeformedVertices& out, bool wants_previous_normals = false);
 
 }  // namespace burin::scene

@@ -5,12 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/scene/item_tessellator.h"
 #include "core/scene/pose.h"
 
 namespace burin::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Pieces of a patch's side: a quarter of a circle is then exact to a 200th of its radius.
+constexpr float kBoundsFactor = 8.0f;
 
 const char* Name(PrimitiveMode mode) {
   switch (mode) {
@@ -53,6 +57,7 @@ std::size_t CornersOf(PrimitiveMode mode) {
 }
 
 struct MeshCounts {
+  std::size_t patches = 0;
   std::size_t vertices = 0, points = 0, lines = 0, triangles = 0;
 };
 
@@ -60,6 +65,7 @@ MeshCounts Count(const Mesh& mesh) {
   MeshCounts counts;
   for (const Primitive& primitive : mesh.primitives) {
     counts.vertices += primitive.positions.size();
+    if (primitive.patches) counts.patches += primitive.patches->patches.size();
     const std::size_t n = primitive.indices.size() / CornersOf(primitive.mode);
     if (primitive.mode == PrimitiveMode::kPoints) counts.points += n;
     if (primitive.mode == PrimitiveMode::kLines) counts.lines += n;
@@ -70,7 +76,10 @@ MeshCounts Count(const Mesh& mesh) {
 
 Bounds RestBounds(const Scene& scene) {
   const Pose pose = EvaluatePose(scene, {}, 0.0);
-  return ComputeBounds(scene, BuildDrawItems(scene, pose, pose));
+  std::vector<DrawItem> items = BuildDrawItems(scene, pose, pose);
+  ItemTessellator tessellator(scene, {});
+  if (tessellator.is_active()) (void)tessellator.TessellateEvenly(kBoundsFactor, items);  // too many: the cage's
+  return ComputeBounds(scene, items);
 }
 
 Json MeshesJson(const Scene& scene) {
@@ -97,6 +106,7 @@ Json MeshesJson(const Scene& scene) {
                       {"triangles", counts.triangles},
                       {"lines", counts.lines},
                       {"points", counts.points},
+                      {"patches", counts.patches},
                       {"primitives", std::move(primitives)}});
   }
   return meshes;
@@ -204,6 +214,7 @@ void MeshesText(const Scene& scene, std::string& out) {
     if (counts.triangles > 0) out += ", " + Plural(counts.triangles, "triangle");
     if (counts.lines > 0) out += ", " + Plural(counts.lines, "line");
     if (counts.points > 0) out += ", " + Plural(counts.points, "point");
+    if (counts.patches > 0) out += fmt::format(", {} {}", counts.patches, counts.patches == 1 ? "patch" : "patches");
     if (!scene.meshes[i].weights.empty()) out += ", " + Plural(scene.meshes[i].weights.size(), "morph target");
     out += '\n';
   }

@@ -3,8 +3,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <glm/common.hpp>
+#include <span>
 
 #include "core/scene/deform.h"
+#include "core/scene/item_geometry.h"
 #include "core/scene/pose.h"
 #include "core/scene/shown_nodes.h"
 
@@ -20,22 +22,16 @@ std::vector<glm::mat4> JointMatrices(const Skin& skin, const Pose& pose) {
   return matrices;
 }
 
-std::uint32_t PrimitiveCount(const Primitive& primitive) {
-  const std::size_t corners = primitive.mode == PrimitiveMode::kTriangles ? 3
-                              : primitive.mode == PrimitiveMode::kLines   ? 2
-                                                                          : 1;
-  return static_cast<std::uint32_t>(primitive.indices.size() / corners);
-}
-
 /// Deforms one node's primitive and says in which space it left the vertices.
-void Deform(const Primitive& primitive, const Deformation& now, const Deformation& previous, DrawItem& item) {
+void Deform(const Primitive& primitive, const Deformation& now, const Deformation& previous,
+            bool wants_previous_normals, DrawItem& item) {
   const bool skinned = !now.joint_matrices.empty() && !primitive.joints[0].empty();
   item.is_deformed = skinned || !primitive.targets.empty();
   if (!item.is_deformed) {
     item.deformed = {};
     return;
   }
-  DeformPrimitive(primitive, now, previous, item.deformed);
+  DeformPrimitive(primitive, now, previous, item.deformed, wants_previous_normals);
   if (skinned) item.world_from_object = item.previous_world_from_object = glm::mat4(1.0f);
 }
 
@@ -44,7 +40,7 @@ Bounds Merge(Bounds a, const Bounds& b) {
   return a;
 }
 
-Bounds BoundsOf(const std::vector<glm::vec3>& positions, const glm::mat4& world_from_object) {
+Bounds BoundsOf(std::span<const glm::vec3> positions, const glm::mat4& world_from_object) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, positions.size(), 8192), Bounds(),
       [&](const tbb::blocked_range<std::size_t>& range, Bounds bounds) {
@@ -66,7 +62,8 @@ std::vector<DrawItem> BuildDrawItems(const Scene& scene, const Pose& pose, const
   return items;
 }
 
-void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous, std::vector<DrawItem>& items) {
+void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous, std::vector<DrawItem>& items,
+                     bool wants_previous_normals) {
   const std::vector<bool> shown = ShownNodes(scene);
   std::size_t count = 0;
   std::uint32_t object_id = 0;
@@ -94,10 +91,13 @@ void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous,
       item.object_id = object_id;
       item.material_id = static_cast<std::uint32_t>(primitive.material + 1);
       item.first_primitive_id = next_primitive_id;
+      item.surface.reset();
+      item.first_patch_id = 0;
       item.world_from_object = pose.world_from_node[n];
       item.previous_world_from_object = previous.world_from_node[n];
-      Deform(primitive, {pose.weights[n], joints_now}, {previous.weights[n], joints_before}, item);
-      next_primitive_id += PrimitiveCount(primitive);
+      Deform(primitive, {pose.weights[n], joints_now}, {previous.weights[n], joints_before}, wants_previous_normals,
+             item);
+      next_primitive_id += ElementCount(primitive.mode, primitive.indices.size());
     }
   }
   items.resize(count);
@@ -106,10 +106,7 @@ void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous,
 Bounds ComputeBounds(const Scene& scene, const std::vector<DrawItem>& items, const glm::mat4& from_world) {
   Bounds bounds;
   for (const DrawItem& item : items) {
-    const Primitive& primitive =
-        scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
-    const std::vector<glm::vec3>& positions = item.is_deformed ? item.deformed.positions : primitive.positions;
-    bounds.Extend(BoundsOf(positions, from_world * item.world_from_object));
+    bounds.Extend(BoundsOf(GeometryOf(scene, item).positions, from_world * item.world_from_object));
   }
   return bounds;
 }

@@ -28,7 +28,7 @@ Result<void> CheckNodeWeights(const Scene& scene) {
   return {};
 }
 
-Result<Scene> Read(const std::string& path, const GltfOptions& options) {
+Result<Scene> Read(const std::string& path, const ReadOptions& options) {
   auto document = GltfDocument::Open(path);
   if (!document) return std::unexpected(document.error());
   Scene scene;
@@ -55,7 +55,7 @@ Result<Scene> Read(const std::string& path, const GltfOptions& options) {
 
 }  // namespace
 
-Result<Scene> ReadGltf(const std::string& path, const GltfOptions& options) {
+Result<Scene> ReadGltf(const std::string& path, const ReadOptions& options) {
   Result<Scene> scene = [&]() -> Result<Scene> {
     try {
       return Read(path, options);

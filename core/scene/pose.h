@@ -2,11 +2,13 @@
 #pragma once
 // A scene at one time: animation, hierarchy, skins and morphs evaluated on the CPU, in parallel over vertices.
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/scene/scene.h"
+#include "core/tessellation/tessellate.h"
 
 namespace burin::scene {
 
@@ -41,10 +43,17 @@ struct DeformedVertices {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> previous_positions;
   std::vector<glm::vec3> normals;
+  std::vector<glm::vec3> previous_normals;  ///< only where they were asked for
   std::vector<glm::vec4> tangents;
 };
 
-/// One primitive of one node, as drawn in one frame.
+/// The triangles that stand in for a primitive's own in one frame, in the item's space.
+struct ItemSurface {
+  tessellation::Surface triangles;
+  std::vector<glm::vec3> previous_positions;  ///< one a vertex; empty: as now
+};
+
+/// One primitive of one node, as drawn in one frame. GeometryOf (item_geometry.h) gives what is drawn.
 struct DrawItem {
   int node = kNone;
   int mesh = kNone;
@@ -54,6 +63,8 @@ struct DrawItem {
   std::uint32_t first_primitive_id = 0;  ///< of this item; ids run on over a frame, from 1, background 0
   bool is_deformed = false;              ///< then `deformed` holds world-space (skinned) or object-space vertices
   DeformedVertices deformed;
+  std::shared_ptr<const ItemSurface> surface;  ///< drawn instead of the primitive; null: not tessellated
+  std::uint32_t first_patch_id = 0;            ///< of a tessellated item; ids run on over a frame, from 1
   glm::mat4 world_from_object{1.0f};
   glm::mat4 previous_world_from_object{1.0f};
 };
@@ -63,7 +74,9 @@ struct DrawItem {
 [[nodiscard]] std::vector<DrawItem> BuildDrawItems(const Scene& scene, const Pose& pose, const Pose& previous);
 
 /// The same into the items of an earlier frame of the same scene, whose arrays are reused: no allocation a frame.
-void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous, std::vector<DrawItem>& items);
+/// `wants_previous_normals`: tessellated items need them.
+void UpdateDrawItems(const Scene& scene, const Pose& pose, const Pose& previous, std::vector<DrawItem>& items,
+                     bool wants_previous_normals = false);
 
 /// World-space bounds of the items (min, max); min > max when empty.
 struct Bounds {

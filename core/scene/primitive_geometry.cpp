@@ -124,6 +124,7 @@ void MakeFlatNormals(Primitive& primitive) {
     primitive.normals[i] = primitive.normals[i + 1] = primitive.normals[i + 2] = normal;
   }
   primitive.flat_normals = true;
+  primitive.has_made_normals = true;
 }
 
 }  // namespace burin::scene

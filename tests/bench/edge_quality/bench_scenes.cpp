@@ -197,7 +197,7 @@ Scene SubpixelBoxes() {
 std::optional<Scene> ReadShared(const std::string& path) {
   std::error_code status;
   if (!std::filesystem::exists(path, status)) return std::nullopt;
-  scene::GltfOptions options;
+  scene::ReadOptions options;
   options.decode_image = [](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
     auto module = image::LoadImageModule();
     if (!module) return std::unexpected(module.error());

@@ -30,11 +30,11 @@ class ContextEnvironment final : public ::testing::Environment {
 
 std::shared_ptr<const fx::Effect> Compile(const std::string& path, const fx::FileSystem& files) {
   fx::Options options;
-  options.attributes = {"color",        "intensity",      "alpha",    "albedo",   "depth",        "zbuffer",
-                        "normal",       "viewnormal",     "tangent",  "position", "viewposition", "screenposition",
-                        "texcoord",     "texcoord1",      "vertexcolor", "objectid", "materialid", "primitiveid",
-                        "facing",       "velocity",       "emissive", "roughness", "metallic",    "lightdepth",
-                        "video",        "edges",          "edgedist"};
+  options.attributes = {"color",    "intensity",  "alpha",       "albedo",    "depth",        "zbuffer",
+                        "normal",   "viewnormal", "tangent",     "position",  "viewposition", "screenposition",
+                        "texcoord", "texcoord1",  "vertexcolor", "objectid",  "materialid",   "primitiveid",
+                        "facing",   "velocity",   "emissive",    "roughness", "metallic",     "lightdepth",
+                        "video",    "edges",      "edgedist",    "patchuv",   "patchid"};
   fx::CompileResult result = fx::CompileEffect(path, files, options);
   if (!result.effect) {
     std::string text;
@@ -164,9 +164,10 @@ PixelMap RunText(const std::string& text, int width, int height, const Settings&
 }
 
 Rgba Evaluate(const std::string& expression, const std::string& globals, const Settings& parameters) {
-  const std::string text = globals + "\nfloat4 Result() : COLOR { return " + expression +
-                           "; }\ntechnique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 "
-                           "Result(); } }\n";
+  const std::string text =
+      globals + "\nfloat4 Result() : COLOR { return " + expression +
+      "; }\ntechnique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 "
+      "Result(); } }\n";
   return RunText(text, 1, 1, parameters).at(0, 0);
 }
 
@@ -174,9 +175,9 @@ Rgba Evaluate(const std::string& expression, const std::string& globals, const S
   for (std::size_t i = 0; i < 4; ++i) {
     const float scale = std::max(1.0f, std::abs(expected[i]));
     if (!(std::abs(actual[i] - expected[i]) <= tolerance * scale)) {
-      return ::testing::AssertionFailure() << "(" << actual[0] << ", " << actual[1] << ", " << actual[2] << ", "
-                                           << actual[3] << ") instead of (" << expected[0] << ", " << expected[1] << ", "
-                                           << expected[2] << ", " << expected[3] << ")";
+      return ::testing::AssertionFailure()
+             << "(" << actual[0] << ", " << actual[1] << ", " << actual[2] << ", " << actual[3] << ") instead of ("
+             << expected[0] << ", " << expected[1] << ", " << expected[2] << ", " << expected[3] << ")";
     }
   }
   return ::testing::AssertionSuccess();

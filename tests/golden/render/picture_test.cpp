@@ -39,6 +39,7 @@ struct Case {
   const char* attribute;  ///< empty: the frame
   long frame;
   Tolerance tolerance;
+  scene::TessellationMode tessellation = scene::TessellationMode::kAuto;
 };
 
 std::ostream& operator<<(std::ostream& stream, const Case& test) { return stream << test.name; }
@@ -59,6 +60,7 @@ TEST_P(Picture, IsTheGoldenOne) {
   job.output = out.string();
   job.size = std::pair(160, 120);
   job.frames = {test.frame};
+  job.tessellation.mode = test.tessellation;
   job.background = std::array<float, 4>{0.8f, 0.8f, 0.8f, 1.0f};
   if (*test.effect != '\0') job.effects = {Source(std::string("effects/") + test.effect)};
   if (*test.attribute != '\0') job.attributes = {test.attribute};
@@ -72,6 +74,7 @@ TEST_P(Picture, IsTheGoldenOne) {
 
 constexpr const char* kStill = "still_life.glb";
 constexpr const char* kWalk = "walk.glb";
+constexpr const char* kJug = "jug.bpt";
 
 INSTANTIATE_TEST_SUITE_P(
     Golden, Picture,
@@ -86,7 +89,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"gaussian", "filter/gaussian.fx", kStill, "", 1, kShaded},
                     Case{"screening", "npr/screening.fx", kStill, "", 1, kThresholded},
                     Case{"ink", "npr/ink.fx", kStill, "", 1, kThresholded},
-                    Case{"gooch", "npr/gooch.fx", kStill, "", 1, kShaded}),
+                    Case{"gooch", "npr/gooch.fx", kStill, "", 1, kShaded}, Case{"jug", "", kJug, "", 1, kShaded},
+                    Case{"jug_ink", "npr/ink.fx", kJug, "", 1, kThresholded},
+                    Case{"jug_patchuv", "", kJug, "patchuv", 1, kShaded},
+                    Case{"walk_smooth", "", kWalk, "", 13, kShaded, scene::TessellationMode::kFractional}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 }  // namespace

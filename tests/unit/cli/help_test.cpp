@@ -53,7 +53,8 @@ TEST(Wrapped, BreaksBetweenWordsOnly) {
 
 TEST(Completion, KnowsCommandsOptionsAndChoices) {
   const std::string script = BashCompletion();
-  EXPECT_THAT(script, HasSubstr("compgen -W 'render check info effects version help completion --help --version'"));
+  EXPECT_THAT(script,
+              HasSubstr("compgen -W 'render check info tessellate effects version help completion --help --version'"));
   EXPECT_THAT(script, HasSubstr("--progress) mapfile -t COMPREPLY < <(compgen -W 'bar plain json openjd none'"));
   EXPECT_THAT(script, HasSubstr("--output|-o) mapfile -t COMPREPLY < <(compgen -f"));
 }

@@ -57,7 +57,7 @@ TEST_P(Manual, HasNoOptionThatTheCommandLacks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, Manual, testing::Values("render", "check", "info", "effects"),
+INSTANTIATE_TEST_SUITE_P(Pages, Manual, testing::Values("render", "check", "info", "effects", "tessellate"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(ManualOverview, NamesEveryCommand) {

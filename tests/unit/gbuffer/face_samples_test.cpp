@@ -58,13 +58,13 @@ struct Face {
                       glm::lookAt(glm::vec3(0.3f, 0.2f, 4), glm::vec3(0), glm::vec3(0, 1, 0)),
                   kSize, kSize};
 
-  [[nodiscard]] FaceArrays Arrays() const {
-    FaceArrays arrays;
-    arrays.positions = positions;
-    arrays.normals = normals;
-    arrays.colors = colors;
-    arrays.texcoords[0] = texcoords;
-    return arrays;
+  [[nodiscard]] scene::ItemGeometry Geometry() const {
+    scene::ItemGeometry geometry;
+    geometry.positions = positions;
+    geometry.normals = normals;
+    geometry.colors = colors;
+    geometry.texcoords[0] = texcoords;
+    return geometry;
   }
   [[nodiscard]] DrawBlock Draw() const {
     scene::DrawItem item;
@@ -77,7 +77,7 @@ struct Face {
   }
   [[nodiscard]] std::vector<FaceSample> Sample(const FaceEdge& edge) const {
     std::vector<FaceSample> samples(edge.points);
-    SampleEdge(edge, Arrays(), Draw(), view, samples.data());
+    SampleEdge(edge, Geometry(), Draw(), view, samples.data());
     return samples;
   }
   [[nodiscard]] glm::vec3 World(std::size_t corner) const {
@@ -163,12 +163,12 @@ TEST(FaceSamples, AFaceSeenEdgeOnOrWithoutAreaGivesNumbers) {
 
 TEST(FaceSamples, WhatAMeshLacksHasTheSameValuesAsInTheGeometryPass) {
   Face face;
-  FaceArrays arrays;
-  arrays.positions = face.positions;
+  scene::ItemGeometry geometry;
+  geometry.positions = face.positions;
   FaceEdge edge = face.Edge(2);
   edge.is_back = true;
   std::vector<FaceSample> samples(2);
-  SampleEdge(edge, arrays, face.Draw(), face.view, samples.data());
+  SampleEdge(edge, geometry, face.Draw(), face.view, samples.data());
   EXPECT_EQ(samples[0].color, glm::vec4(1));
   EXPECT_EQ(samples[0].texcoords, glm::vec4(0));
   EXPECT_EQ(samples[0].position.w, 1.0f);

@@ -70,7 +70,7 @@ class Validator {
 TEST(GeometryShader, EveryTextValidates) {
   if (!Validator::IsThere()) GTEST_SKIP() << "no glslangValidator here (Debian package glslang-tools)";
   const Validator validator;
-  EXPECT_EQ(validator.Check(GeometryVertexText(), "vert"), "");
+  EXPECT_EQ(validator.Check(GeometryVertexText(0), "vert"), "");
   // Eight attributes at a time, with every feature, with none, and with each one alone.
   std::vector<std::uint32_t> variants = {0, kEverything, kEverything & ~kHasTangents};
   for (int bit = 0; bit < 13; ++bit) variants.push_back(1u << bit);

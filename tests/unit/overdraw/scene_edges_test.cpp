@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <map>
 #include <set>
 #include <tuple>
 
+#include "core/scene/item_tessellator.h"
+#include "tests/support/patch_models.h"
 #include "tests/support/triangle_mesh.h"
 
 namespace burin::overdraw {
@@ -410,6 +413,87 @@ TEST_F(SceneEdgesTest, TheSameFrameGivesTheSameEdges) {
       ASSERT_EQ(first[i].edge_class, other.edge_class);
     }
   }
+}
+
+TEST_F(SceneEdgesTest, ATessellatedClosedSurfaceHasSilhouettesOnly) {
+  AddNode(AddMesh("pot", {test::Pot()}));
+  EdgeOptions options;
+  options.mode = EdgeMode::kResolve;
+  // Just above even factors there are slivers that floats can hardly tell from lines.
+  for (const float factor : {1.0f, 2.00001f, 3.0f, 4.0001f, 4.7f, 6.000001f}) {
+    for (const auto mode : {scene::TessellationMode::kFractional, scene::TessellationMode::kInteger}) {
+      scene::ItemTessellator tessellator(scene_, {.mode = mode, .edge_length_px = {}, .factor = factor});
+      items_ = Items();
+      ASSERT_TRUE(tessellator.TessellateEvenly(factor, items_));
+      SceneEdges edges(scene_, options);
+      const Result<const FrameEdges*> found = edges.Extract(items_, From(7));
+      ASSERT_TRUE(found);
+      EXPECT_EQ((*found)->statistics.boundaries, 0u) << factor;
+      EXPECT_EQ((*found)->statistics.sharp, 0u) << factor;
+      EXPECT_GT((*found)->segments.size(), 20u);
+      // Silhouettes are closed lines: each end is one of an even number of segments.
+      std::map<std::tuple<float, float, float>, int> ends;
+      for (const EdgeSegment& segment : (*found)->segments) {
+        for (const glm::vec3& end : segment.ends) ++ends[{end.x, end.y, end.z}];
+      }
+      for (const auto& [end, uses] : ends) EXPECT_EQ(uses % 2, 0) << factor;
+    }
+  }
+}
+
+TEST_F(SceneEdgesTest, SliversAddNoSilhouettes) {
+  AddNode(AddMesh("pot", {test::Pot()}));
+  const auto length = [&](float factor, float turn) {
+    scene::ItemTessellator tessellator(scene_, {});
+    items_ = Items();
+    EXPECT_TRUE(tessellator.TessellateEvenly(factor, items_));
+    SceneEdges edges(scene_, {});
+    scene::View view = From(7);
+    view.view_from_world = view.view_from_world * glm::rotate(glm::mat4(1.0f), turn, glm::vec3(0.6f, 0.8f, 0.0f));
+    const Result<const FrameEdges*> found = edges.Extract(items_, view);
+    float sum = 0.0f;
+    for (const EdgeSegment& segment : (*found)->segments) sum += glm::distance(segment.ends[0], segment.ends[1]);
+    return sum;
+  };
+  // Just above an even factor the new triangles are so thin that rounding turns their planes any way.
+  for (const float even : {2.0f, 4.0f, 6.0f}) {
+    for (const float turn : {0.3f, 1.1f, 2.3f}) {
+      EXPECT_NEAR(length(even * 1.000002f, turn), length(even, turn), 0.02f * length(even, turn)) << even;
+    }
+  }
+}
+
+TEST_F(SceneEdgesTest, ANewSurfaceIsLookedAtAnew) {
+  AddNode(AddMesh("pot", {test::Pot()}));
+  scene::ItemTessellator tessellator(scene_, {});
+  SceneEdges edges(scene_, {});
+  std::vector<std::size_t> faces;
+  for (const float factor : {1.0f, 3.0f, 1.0f}) {
+    items_ = Items();
+    ASSERT_TRUE(tessellator.TessellateEvenly(factor, items_));
+    const Result<const FrameEdges*> found = edges.Extract(items_, From(7));
+    ASSERT_TRUE(found);
+    faces.push_back((*found)->statistics.faces);
+  }
+  EXPECT_THAT(faces, ElementsAre(8 * 512, 32 * 512, 8 * 512));
+  EXPECT_THAT(edges.TakeNotes(), ElementsAre(HasSubstr("silhouettes by a scan, as its triangles change")));
+}
+
+TEST_F(SceneEdgesTest, SeamsOfTextureCoordinatesAndCreasesAreFoundOnSurfacesToo) {
+  // Two sheets that meet at a right angle, with normals of their own: curved, the edge between them is a crease.
+  scene::Primitive bent;
+  bent.positions = {{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}, {0, 1, 0}, {0, 1, -1}, {0, -1, -1}};
+  bent.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {-1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}, {-1, 0, 0}};
+  bent.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+  AddNode(AddMesh("bent", {bent}));
+  scene::ItemTessellator tessellator(scene_,
+                                     {.mode = scene::TessellationMode::kInteger, .edge_length_px = {}, .factor = 4.0f});
+  items_ = Items();
+  ASSERT_TRUE(tessellator.TessellateEvenly(4.0f, items_));
+  SceneEdges edges(scene_, {});
+  const Result<const FrameEdges*> found = edges.Extract(items_, From(7));
+  ASSERT_TRUE(found);
+  EXPECT_EQ((*found)->statistics.sharp, 4u) << "the crease's four pieces";
 }
 
 }  // namespace

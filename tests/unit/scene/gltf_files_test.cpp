@@ -125,7 +125,7 @@ TEST(Glb, EveryTruncationIsRefused) {
 
 TEST(Images, AreDecodedOnceAndOnlyWhenAMaterialUsesThem) {
   std::vector<std::string> names;
-  GltfOptions options;
+  ReadOptions options;
   options.decode_image = [&](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
     names.push_back(name);
     EXPECT_EQ(std::to_integer<int>(bytes[0]), 0x89);  // "used" and "bumps" are PNG; "unused" is not
@@ -144,7 +144,7 @@ TEST(Images, AreDecodedOnceAndOnlyWhenAMaterialUsesThem) {
 }
 
 TEST(Images, FaultsNameTheImage) {
-  GltfOptions options;
+  ReadOptions options;
   options.decode_image = [](std::span<const std::byte>, const std::string& name) -> Result<image::Image> {
     return Fail(ErrorKind::kInput, name + ": is no picture");
   };

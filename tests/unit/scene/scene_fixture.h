@@ -31,7 +31,7 @@ inline std::string SharedData() {
   return std::filesystem::is_directory(path) ? path : std::string();
 }
 
-inline Scene ReadOrDie(const std::string& path, const GltfOptions& options = {}) {
+inline Scene ReadOrDie(const std::string& path, const ReadOptions& options = {}) {
   auto scene = ReadGltf(path, options);
   EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().message);
   return scene ? std::move(*scene) : Scene();
