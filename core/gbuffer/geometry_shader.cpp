@@ -140,7 +140,7 @@ float LineWeight() {
 }
 #endif
 #else
-bool IsFront() { return gl_FrontFacing; }
+bool IsFront() { return IS_FACE_MAP == 1 || gl_FrontFacing; }
 #endif
 )";
 
@@ -258,6 +258,10 @@ Surface GetSurface() {
   return s;
 }
 
+// Colour is taken half where light enters and half where it leaves (after d'Eon and Luebke 2007): neither all
+// of the texture's detail is blurred nor none.
+vec3 ScatterTint(Surface s) { return sqrt(max(s.base.rgb, vec3(0.0)) * (1.0 - s.metallic)); }
+
 vec2 PixelOf(vec3 clip) {
   return (vec2(0.5, -0.5) * clip.xy / max(clip.z, 1e-6) + 0.5) * viewport.xy;
 }
@@ -266,6 +270,26 @@ float LightDepth() {
   vec3 d = v_position - key_position.xyz;
   return key_direction.w > 0.5 && key_direction.w < 1.5 ? length(d) : dot(d, key_direction.xyz);
 }
+)";
+
+// Jensen et al. 2001, equation 5: radiance is radiosity / pi times what gets through the boundary towards the eye.
+constexpr std::string_view kScatter = R"(
+struct Scattered { vec3 all; vec3 near; };
+Scattered scattered = Scattered(vec3(0.0), vec3(0.0));
+#if IS_TRANSLUCENT
+Scattered ScatteredLight(Surface s) {
+  vec3 g = IsFront() ? Unit(v_normal) : -Unit(v_normal);
+  Scattered result;
+  Radiosity(s.position, g, result.all, result.near);
+  vec3 leaving = ScatterTint(s) * (0.318309886 * FresnelTransmittance(dot(s.normal, s.view)));
+  result.all *= leaving;
+  result.near *= leaving;
+  return result;
+}
+vec3 Entering(Surface s) { return EnteringLight(s.position, s.normal, IsFront() ? Unit(v_normal) : -Unit(v_normal)); }
+#else
+vec3 Entering(Surface s) { return vec3(0.0); }
+#endif
 )";
 
 constexpr std::string_view kCoverage = R"(
@@ -311,6 +335,8 @@ constexpr std::array kFeatureNames = {
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
     FeatureName{kIsLine, "IS_LINE"},
     FeatureName{kIsArea, "IS_AREA"},
+    FeatureName{kIsTranslucent, "IS_TRANSLUCENT"},
+    FeatureName{kIsFaceMap, "IS_FACE_MAP"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -322,7 +348,9 @@ struct Source {
   std::uint32_t features;
 };
 constexpr std::uint32_t kColorFeatures = kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasOcclusionTexture |
-                                         kHasEmissiveTexture | kIsUnlit | kHasLights | kNormalFeatures;
+                                         kHasEmissiveTexture | kIsUnlit | kHasLights | kNormalFeatures | kIsTranslucent;
+constexpr std::uint32_t kScatterFeatures =
+    kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasLights | kNormalFeatures | kIsTranslucent;
 constexpr std::array kSources = {
     Source{Attribute::kColor, "color", kColorFeatures},
     Source{Attribute::kIntensity, "color", kColorFeatures},
@@ -348,6 +376,10 @@ constexpr std::array kSources = {
     Source{Attribute::kRoughness, "vec4(s.roughness)", kHasMetallicRoughnessTexture},
     Source{Attribute::kMetallic, "vec4(s.metallic)", kHasMetallicRoughnessTexture},
     Source{Attribute::kLightDepth, "vec4(LightDepth())", 0},
+    Source{Attribute::kIrradiance, "vec4(Entering(s), 0.0)", kScatterFeatures},
+    Source{Attribute::kTranslucency, "vec4(scattered.all, 0.0)", kScatterFeatures},
+    Source{Attribute::kLocalScattering, "vec4(scattered.near, 0.0)", kScatterFeatures},
+    Source{Attribute::kGlobalScattering, "vec4(scattered.all - scattered.near, 0.0)", kScatterFeatures},
 };
 
 const Source& SourceOf(Attribute attribute) { return *std::ranges::find(kSources, attribute, &Source::attribute); }
@@ -364,6 +396,17 @@ bool NeedsColor(const std::vector<Output>& outputs) {
     return output.is_blended || output.storage.attribute == Attribute::kColor ||
            output.storage.attribute == Attribute::kIntensity;
   });
+}
+
+bool WantsParts(const std::vector<Output>& outputs) {
+  return std::ranges::any_of(
+      outputs, [](const Output& output) { return !output.is_blended && IsScatteringPart(output.storage.attribute); });
+}
+
+bool WantsScattering(const std::vector<Output>& outputs) {
+  return NeedsColor(outputs) || WantsParts(outputs) || std::ranges::any_of(outputs, [](const Output& output) {
+           return output.storage.attribute == Attribute::kTranslucency;
+         });
 }
 
 }  // namespace
@@ -404,7 +447,7 @@ std::string LineGeometryText() {
   return text;
 }
 
-std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features) {
+std::string SurfaceText(std::uint32_t features) {
   std::string text = "#version 450 core\n";
   for (const FeatureName& entry : kFeatureNames) {
     text += fmt::format("#define {} {}\n", entry.name, (features & entry.feature) != 0 ? 1 : 0);
@@ -413,14 +456,27 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   text += BlockDeclarations();
   text += kFragmentInputs;
   text += LineFunctions();
-  text += StorageFunctions();
   text += kSurfaceFunctions;
+  text += LightFunctions();
+  return text;
+}
+
+std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features,
+                                 std::string_view translucency) {
+  std::string text = SurfaceText(features);
+  text += StorageFunctions();
+  if ((features & kIsTranslucent) != 0) {
+    text += fmt::format("#define PARTS {}\n", WantsParts(outputs) ? 1 : 0);
+    text += translucency;
+  }
+  text += kScatter;
   const bool needs_color = NeedsColor(outputs);
   if (needs_color) text += ShadingFunctions();
   for (const Output& output : outputs) {
     text += fmt::format("layout(location = {0}) out vec4 out{0};\n", output.location);
   }
   text += "void main() {\n#if IS_LINE\n  float line_weight = LineWeight();\n#endif\n  Surface s = GetSurface();\n";
+  if (WantsScattering(outputs)) text += "#if IS_TRANSLUCENT\n  scattered = ScatteredLight(s);\n#endif\n";
   text += kCoverage;
   if (needs_color) text += kColorStatements;
   for (const Output& output : outputs) text += OutputStatement(output);

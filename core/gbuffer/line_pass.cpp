@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/gbuffer/gpu_blocks.h"
+#include "core/gbuffer/translucency_stage.h"
 #include "core/gl/buffer.h"
 
 namespace burin::gbuffer {
@@ -51,12 +52,13 @@ void LinePass::Upload(std::span<const ShadedLine> lines) {
   gl::StreamInto(records_, records.data(), records.size() * sizeof(glm::vec4));
 }
 
-Result<const gl::Program*> LinePass::ProgramOf(std::uint32_t features) {
+Result<const gl::Program*> LinePass::ProgramOf(std::uint32_t features, const TranslucencyStage* translucency) {
   const auto found = programs_.find(features);
   if (found != programs_.end()) return &found->second;
   const std::string vertex = GeometryVertexText();
   const std::string geometry = LineGeometryText();
-  const std::string fragment = GeometryFragmentText({ColorOutput()}, features);
+  const std::string_view scattering = translucency != nullptr ? translucency->ShaderText() : std::string_view();
+  const std::string fragment = GeometryFragmentText({ColorOutput()}, features, scattering);
   Result<gl::Program> program =
       gl::Program::Create({vertex, geometry, fragment}, fmt::format("lines, features 0x{:x}", features));
   if (!program) return std::unexpected(program.error());
@@ -76,10 +78,11 @@ Result<void> LinePass::DrawAll(std::span<const ShadedLine> lines, const FrameDra
     const PreparedDraw& draw = *by_item[item];
     std::uint32_t features = draw.features | feature | (draw.is_blend ? kIsBlendedColor : 0u);
     features = RelevantFeatures({ColorOutput()}, features);
-    const Result<const gl::Program*> program = ProgramOf(features);
+    const Result<const gl::Program*> program = ProgramOf(features, draws.translucency);
     if (!program) return std::unexpected(program.error());
     glUseProgram((*program)->id());
     if (Result<void> bound = materials.Bind(draw.material, features); !bound) return bound;
+    if ((features & kIsTranslucent) != 0) draws.translucency->Bind(draw.block);
     glUniform1i(kFirstLineLocation, static_cast<GLint>(begin));
     glBindBufferRange(GL_UNIFORM_BUFFER, kDrawBinding, draws.block_buffer,
                       static_cast<GLintptr>(draw.block * AlignBlock(sizeof(DrawBlock))), sizeof(DrawBlock));

@@ -28,7 +28,7 @@ class LinePass {
  private:
   [[nodiscard]] Result<void> DrawAll(std::span<const ShadedLine> lines, const FrameDraws& draws, std::uint32_t feature,
                                      MaterialStore& materials);
-  [[nodiscard]] Result<const gl::Program*> ProgramOf(std::uint32_t features);
+  [[nodiscard]] Result<const gl::Program*> ProgramOf(std::uint32_t features, const TranslucencyStage* translucency);
   void Upload(std::span<const ShadedLine> lines);
 
   gl::BufferHandle indices_;

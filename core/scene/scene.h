@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -155,6 +156,12 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;
   float ior = 1.5f;
+  /// extras.translucency: a medium, in the words of core/translucency/medium_spec.h; empty: none.
+  std::string translucency;
+  float diffuse_transmission = 0.0f;    ///< KHR_materials_diffuse_transmission
+  glm::vec3 diffuse_transmission_color{1.0f};
+  glm::vec3 attenuation_color{1.0f};    ///< KHR_materials_volume
+  float attenuation_distance = std::numeric_limits<float>::infinity();  ///< scene units
 };
 
 struct Scene {
