@@ -8,6 +8,7 @@
 #include "core/gbuffer/key_light.h"
 #include "core/render/source.h"
 #include "core/scene/gltf_reader.h"
+#include "core/scene/morph_to_sphere.h"
 
 namespace burin::render {
 namespace {
@@ -18,24 +19,25 @@ constexpr int kBoundsSamples = 16;
 
 /// Calls `see` with the scene's items at moments all over its animation.
 template <class See>
-void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, const See& see) {
+void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations, float morph, const See& see) {
   const double duration_s = scene::Duration(scene, animations);
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
   std::vector<scene::DrawItem> items;
   for (int i = 0; i < samples; ++i) {
     const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
     scene::UpdateDrawItems(scene, pose, pose, items);
+    scene::MorphToSphere(scene, morph, items);
     see(items);
   }
 }
 
 /// `fits_angle`: the automatic camera comes as near as this one orbit angle allows.
 scene::CameraChoice FrameWhole(const scene::Scene& scene, const scene::AnimationSelection& animations,
-                               std::pair<int, int> size, double orbit_deg, bool fits_angle) {
+                               std::pair<int, int> size, double orbit_deg, bool fits_angle, float morph) {
   scene::CameraChoice choice;
   if (fits_angle) choice.reach.emplace();
   const std::array<glm::mat4, 2> maps = scene::AutoReach(size.first, size.second, orbit_deg);
-  OverTime(scene, animations, [&](const std::vector<scene::DrawItem>& items) {
+  OverTime(scene, animations, morph, [&](const std::vector<scene::DrawItem>& items) {
     choice.bounds.Extend(scene::ComputeBounds(scene, items));
     for (std::size_t i = 0; i < maps.size() && fits_angle; ++i) {
       (*choice.reach)[i].Extend(scene::ComputeBounds(scene, items, maps[i]));
@@ -51,11 +53,12 @@ class SceneSource final : public Source {
         animations_(std::move(animations)),
         turntable_(job.turntable_frames),
         orbit_deg_(job.orbit_deg.value_or(0.0)),
+        morph_(job.morph_to_sphere),
         size_(job.size.value_or(kDefaultSize)),
         rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
     const bool turns = job.orbit_deg.has_value() || turntable_ > 0;
-    camera_ = FrameWhole(scene_, animations_, size_, orbit_deg_, camera_node == scene::kNone && !turns);
+    camera_ = FrameWhole(scene_, animations_, size_, orbit_deg_, camera_node == scene::kNone && !turns, morph_);
     camera_.camera_node = camera_node;
     info_.kind = SourceKind::kScene;
     info_.rate = job.fps;
@@ -82,6 +85,7 @@ class SceneSource final : public Source {
     now->pose = scene::EvaluatePose(scene_, animations_, Time(number));
     const scene::Pose previous = scene::EvaluatePose(scene_, animations_, Time(number - 1));
     now->items = scene::BuildDrawItems(scene_, now->pose, previous);
+    scene::MorphToSphere(scene_, morph_, now->items);
     now->view = View(now->pose, number);
     now->previous_view = View(previous, number - 1);
     FillContext(*now);
@@ -121,6 +125,7 @@ class SceneSource final : public Source {
   SourceInfo info_;
   long turntable_;
   double orbit_deg_;
+  float morph_;
   std::pair<int, int> size_;
   video::FrameRate rate_;
 };
