@@ -257,6 +257,15 @@ constexpr OptionSpec kTable[] = {
      "How translucent light is gathered: paper is the published method with its kernel of one mean free path; fast, full "
      "and high take in all of it, ever more closely. Otherwise full.",
      "paper|fast|full|high", Repeat::kLast, StoreScattering},
+    {"paper-kernel", 0, "N", kRender, kScene,
+     "With --scattering paper: samples across the kernel, 1 to 32. Otherwise 5, which the paper finds enough.", "",
+     Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       const Result<long> number = ParseInteger("paper-kernel", v, 1, 32);
+       if (!number) return Result<void>(std::unexpected(number.error()));
+       s.job.translucency.paper_kernel = static_cast<int>(*number);
+       return Result<void>();
+     }},
     {"morph-to-sphere", 0, "T", kRender, kScene,
      "Deform each object towards its bounding sphere: 0 not at all, 1 all the way. Otherwise 0.", "", Repeat::kLast,
      [](Settings& s, const std::string& v) {

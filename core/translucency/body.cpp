@@ -125,6 +125,7 @@ BodyBlock MakeBodyBlock(const scene::Bounds& bounds, const Medium& medium, const
     block.real_mm[c] = static_cast<float>(dipole.real_mm);
     block.virtual_mm[c] = static_cast<float>(dipole.virtual_mm);
     block.sigma_tr[c] = static_cast<float>(dipole.sigma_tr);
+    block.reflectance[c] = static_cast<float>(dipole.Total());
     block.strength[c] = static_cast<float>(dipole.alpha / (4.0 * glm::pi<double>()));
   }
   block.real_mm.w = medium.ior;

@@ -5,7 +5,7 @@
 
 namespace burin::translucency {
 
-static_assert(sizeof(BodyBlock) == 8 * 16 + kShTerms * 16);
+static_assert(sizeof(BodyBlock) == 9 * 16 + kShTerms * 16);
 static_assert(sizeof(ShadowBlock) == kMaxShadowMaps * 80 + kMaxShadowedLights * 16);
 
 std::string BodyDeclarations() {
@@ -19,6 +19,7 @@ layout(std140, binding = {}) uniform Body {{
   vec4 virtual_mm;
   vec4 sigma_tr;
   vec4 dipole_strength;
+  vec4 body_reflectance;
   vec4 body_environment[{}];
 }};
 layout(std140, binding = {}) uniform Shadows {{

@@ -25,6 +25,7 @@ enum TextureUnit : unsigned {
   kSourceUnit = 9,    ///< the pyramid
   kShadowUnit = 10,
   kFaceDepthUnit = 11,
+  kDipoleUnit = 12,
 };
 
 /// The pyramid's highest level has 4 x 4 texels a face; two levels above it one stands for the whole face.
@@ -34,14 +35,15 @@ inline constexpr int kMaxShadowMaps = 48;
 inline constexpr int kMaxShadowedLights = 32;
 
 struct BodyBlock {
-  glm::vec4 box_min;     ///< world; w: millimetres a scene unit
-  glm::vec4 box_mm;      ///< extents
-  glm::ivec4 texels;     ///< of a face along x, y and z; w: those between two faces' origins
-  glm::ivec4 levels;     ///< lowest and highest of the pyramid; log2 of source texels a receiver; lights
-  glm::vec4 real_mm;     ///< z_r; w: eta
-  glm::vec4 virtual_mm;  ///< z_v; w: largest irradiance, by which sources are divided
-  glm::vec4 sigma_tr;    ///< 1/mm
-  glm::vec4 strength;    ///< alpha' / (4 pi)
+  glm::vec4 box_min;      ///< world; w: millimetres a scene unit
+  glm::vec4 box_mm;       ///< extents
+  glm::ivec4 texels;      ///< of a face along x, y and z; w: those between two faces' origins
+  glm::ivec4 levels;      ///< lowest and highest of the pyramid; log2 of source texels a receiver; lights
+  glm::vec4 real_mm;      ///< z_r; w: eta
+  glm::vec4 virtual_mm;   ///< z_v; w: largest irradiance, by which sources are divided
+  glm::vec4 sigma_tr;     ///< 1/mm
+  glm::vec4 strength;     ///< alpha' / (4 pi)
+  glm::vec4 reflectance;  ///< of a plane, all in all
   std::array<glm::vec4, kShTerms> environment;  ///< FoldIrradiance
 };
 

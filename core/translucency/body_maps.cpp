@@ -25,10 +25,10 @@ Result<void> BodyMaps::Ensure(const Quality& quality, bool has_parts) {
     receivers = {};
   }
   const bool lacks_parts = has_parts && !near_receivers;
-  if (receivers.height() == r && !lacks_parts) return {};
-  if (auto good = Take(receivers, CreateFloatTexture(6 * r, r, "translucency: radiosity")); !good) return good;
+  if (receivers.height() == 2 * r && !lacks_parts) return {};
+  if (auto good = Take(receivers, CreateFloatTexture(6 * r, 2 * r, "translucency: radiosity")); !good) return good;
   if (has_parts || near_receivers) {
-    auto good = Take(near_receivers, CreateFloatTexture(6 * r, r, "translucency: radiosity from nearby"));
+    auto good = Take(near_receivers, CreateFloatTexture(6 * r, 2 * r, "translucency: radiosity from nearby"));
     if (!good) return good;
   }
   receiver_target =

@@ -12,7 +12,7 @@ namespace burin::translucency {
 struct BodyMaps {
   gl::Texture face_depth;      ///< 6 S x S
   gl::Texture sources;         ///< 6 S x 4 S: the pyramid
-  gl::Texture receivers;       ///< radiosity and depth, 6 R x R
+  gl::Texture receivers;       ///< radiosity and depth, 6 R x 2 R
   gl::Texture near_receivers;  ///< made when asked for
   gl::FramebufferHandle depth_target;
   gl::FramebufferHandle pyramid_target;

@@ -166,7 +166,7 @@ Result<void> BodyPasses::Gather(const BodyMaps& maps, bool has_parts) {
   const int r = quality_.face_texels >> quality_.receiver_shift;
   glBindFramebuffer(GL_FRAMEBUFFER, maps.receiver_target.id());
   glBindVertexArray(no_vertices_.id());
-  glViewport(0, 0, 6 * r, r);
+  glViewport(0, 0, 6 * r, 2 * r);
   glUseProgram(program.id());
   BindForFetch(kSourceUnit, maps.sources);
   BindForFetch(kFaceDepthUnit, maps.face_depth);

@@ -28,7 +28,7 @@ namespace burin::translucency {
 
 /// After BodyDeclarations(), PARTS 0 or 1:
 ///   void Radiosity(vec3 world, vec3 g, out vec3 all, out vec3 near)
-[[nodiscard]] std::string LookUpFunctions(const Quality& quality);
+[[nodiscard]] std::string LookUpFunctions();
 
 /// Covers the viewport.
 [[nodiscard]] std::string CoveringVertexText();

@@ -11,6 +11,7 @@ namespace burin::translucency {
 struct TranslucencyOptions {
   std::vector<Assignment> assignments;
   Scattering scattering = Scattering::kFull;
+  int paper_kernel = 5;     ///< kPaper: samples across its kernel
   double unit_mm = 1000.0;  ///< millimetres a scene unit: glTF's is the metre
 };
 

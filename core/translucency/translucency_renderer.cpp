@@ -12,6 +12,7 @@
 #include "core/gbuffer/geometry_shader.h"
 #include "core/gl/buffer.h"
 #include "core/translucency/body_passes.h"
+#include "core/translucency/dipole_table.h"
 #include "core/translucency/gather_glsl.h"
 #include "core/translucency/irradiance_glsl.h"
 #include "core/translucency/pass_target.h"
@@ -44,12 +45,18 @@ ShRadiance RadianceOf(const image::Image* environment) {
   return ProjectLatLong(map->pixels, map->width, map->height);
 }
 
+Quality QualityFor(const TranslucencyOptions& options) {
+  Quality quality = QualityOf(options.scattering);
+  if (quality.kernel > 0) quality.kernel = options.paper_kernel;
+  return quality;
+}
+
 class Renderer final : public TranslucencyRenderer {
  public:
   Renderer(const scene::Scene& scene, const TranslucencyOptions& options, SceneMedia media, const ShRadiance& radiance)
       : scene_(&scene),
         options_(options),
-        quality_(QualityOf(options.scattering)),
+        quality_(QualityFor(options)),
         passes_(quality_),
         warnings_(std::move(media.warnings)) {
     of_material_.resize(media.of_material.size());
@@ -60,9 +67,12 @@ class Renderer final : public TranslucencyRenderer {
       if (same == media_.end()) media_.push_back(*media.of_material[i]);
     }
     for (const Medium& medium : media_) {
+      const std::array<Dipole, 3> dipoles = MakeDipoles(medium);
+      tables_.push_back(
+          MakeDipoleTable(dipoles, std::min({dipoles[0].real_mm, dipoles[1].real_mm, dipoles[2].real_mm})));
       environments_.push_back(FoldIrradiance(radiance, static_cast<double>(medium.ior), false));
     }
-    shader_text_ = BodyDeclarations() + IrradianceFunctions() + LookUpFunctions(quality_);
+    shader_text_ = BodyDeclarations() + IrradianceFunctions() + LookUpFunctions();
   }
 
   [[nodiscard]] bool IsTranslucent(int material) const override {
@@ -79,6 +89,7 @@ class Renderer final : public TranslucencyRenderer {
   [[nodiscard]] std::vector<BodyItems> FindBodies(const TranslucencyInput& input) const;
   [[nodiscard]] Result<void> UpdateBody(const TranslucencyInput& input, const BodyItems& items,
                                         std::uint64_t lighting_key, Body& body);
+  [[nodiscard]] Result<void> BindTable(std::size_t medium);
   void Describe(const TranslucencyInput& input, const BodyItems& items, const Body& body);
 
   const scene::Scene* scene_;
@@ -87,6 +98,8 @@ class Renderer final : public TranslucencyRenderer {
   BodyPasses passes_;
   std::vector<Medium> media_;
   std::vector<std::array<glm::vec3, kShTerms>> environments_;  ///< one a medium
+  std::vector<DipoleTable> tables_;                            ///< one a medium
+  std::vector<gl::Texture> table_textures_;                    ///< made when first used
   std::vector<std::optional<std::size_t>> of_material_;
   std::map<std::pair<int, std::size_t>, Body> bodies_;  ///< by node and medium
   std::vector<const Body*> of_item_;
@@ -161,12 +174,28 @@ Result<void> Renderer::UpdateBody(const TranslucencyInput& input, const BodyItem
     if (!done) return done;
     if (auto built = passes_.BuildPyramid(body.maps); !built) return built;
   }
+  if (auto bound = BindTable(items.medium); !bound) return bound;
   if (auto gathered = passes_.Gather(body.maps, has_parts); !gathered) return gathered;
   body.shape_key = shape.key;
   body.lighting_key = lighting_key;
   body.has_parts = has_parts;
   body.is_known = true;
   if (is_new) Describe(input, items, body);
+  return {};
+}
+
+Result<void> Renderer::BindTable(std::size_t medium) {
+  table_textures_.resize(tables_.size());
+  gl::Texture& texture = table_textures_[medium];
+  if (!texture) {
+    Result<gl::Texture> made = CreateFloatTexture(DipoleTable::kWidth, DipoleTable::kHeight, "translucency: dipole");
+    if (!made) return std::unexpected(made.error());
+    texture = *std::move(made);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, texture.width(), texture.height(), GL_RGBA, GL_FLOAT,
+                        tables_[medium].texels.data());
+  }
+  BindForFetch(kDipoleUnit, texture);
   return {};
 }
 

@@ -14,8 +14,8 @@
 namespace burin::translucency {
 
 /// The translucency stage of one scene: light that enters its translucent objects, scatters and comes out elsewhere.
-/// Nothing is precomputed: each frame the object's surface is drawn on the six faces of its bounding box, as the cube-map
-/// atlas of the 2009 paper on deforming translucent objects has it, and gathered there. Context's thread only.
+/// Nothing is precomputed: each frame the object's surface is drawn on the six faces of its bounding box, as the
+/// cube-map atlas of the 2009 paper on deforming translucent objects has it, and gathered there. Context's thread only.
 class TranslucencyRenderer : public gbuffer::TranslucencyStage {
  public:
   /// Null when no material of the scene is translucent. `scene` outlives this; `environment` is only looked at: as for

@@ -150,7 +150,7 @@ inline Entering PointLight(const glm::dvec3& position, double intensity, double 
 /// Light from all around that nothing hides, by a table over normals of the integral over the hemisphere.
 template <class Radiance>
 Entering Environment(const Radiance& radiance, double ior) {
-  constexpr int kHeight = 48;
+  constexpr int kHeight = 32;
   constexpr int kWidth = 2 * kHeight;
   const auto direction = [](double row, double column) {
     const double theta = glm::pi<double>() * row / kHeight;
