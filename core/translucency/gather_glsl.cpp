@@ -129,7 +129,9 @@ Sum Gather(vec3 unit, int own_face, bool is_asked) {
   float shortest = min(real_mm.r, min(real_mm.g, real_mm.b));
   inverse_least2 = 1.0 / (shortest * shortest);
   int base = box_levels.x, top = box_levels.y;
-  for (int tile = is_asked ? 0 : 12; tile < 12; ++tile) {
+  int tiles = 6;
+  for (int face = 0; face < 6; ++face) tiles = IsEmpty(ivec2(face, 1) * box_texels.w, top + WHOLE_ABOVE_TOP) ? tiles : 12;
+  for (int tile = is_asked ? 0 : tiles; tile < tiles; ++tile) {
     int face = tile >= 6 ? tile - 6 : tile;
     int axis = face >> 1;
     vec2 counts = vec2(FaceAxes(box_texels.xyz, axis).xy);

@@ -24,7 +24,7 @@ struct Quality {
   switch (scattering) {
     case Scattering::kPaper:
       return {
-          .face_texels = 256, .receiver_shift = 1, .window = 0, .nearness = 0.0f, .shadow_texels = 1024, .kernel = 5};
+          .face_texels = 128, .receiver_shift = 1, .window = 0, .nearness = 0.0f, .shadow_texels = 1024, .kernel = 5};
     case Scattering::kFull:
       return {};
     case Scattering::kFast:
