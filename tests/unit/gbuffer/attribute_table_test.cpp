@@ -52,7 +52,7 @@ TEST(AttributeTable, NamesAreFoundInAnyCase) {
 }
 
 TEST(AttributeTable, EveryAttributeIsThereOnce) {
-  EXPECT_EQ(AllAttributes().size(), 27u);
+  EXPECT_EQ(AllAttributes().size(), 31u);
   std::set<std::string_view> names;
   std::set<std::string_view> channels;
   for (const AttributeInfo& info : AllAttributes()) {
