@@ -71,7 +71,7 @@ Result<void> BodyPasses::DrawDepth(const BodyItems& body, const BodyBlock& block
                                    const BodyMaps& maps) {
   if (!depth_program_) {
     const std::string vertex = FaceDepthVertexText();
-    const std::string geometry = FaceDepthGeometryText();
+    const std::string geometry = FaceDepthGeometryText(quality_.kernel > 0);
     auto ready = Ensure(depth_program_, {vertex, geometry, {}}, "translucency: depth of faces");
     if (!ready) return ready;
   }
@@ -93,7 +93,7 @@ Result<const gl::Program*> BodyPasses::SourceProgram(std::uint32_t features) {
   gl::Program& program = source_programs_[features];
   if (program) return &program;
   const std::string vertex = SourceVertexText();
-  const std::string geometry = SourceGeometryText();
+  const std::string geometry = SourceGeometryText(quality_.kernel > 0);
   const std::string fragment = SourceFragmentText(features);
   auto ready = Ensure(program, {vertex, geometry, fragment}, fmt::format("translucency: sources 0x{:x}", features));
   if (!ready) return std::unexpected(ready.error());

@@ -81,7 +81,7 @@ void main() {
 // A triangle goes to the second row too where one of its corners lies behind what its face shows, or where it is so
 // large that something may hide its middle alone; each fragment then keeps to one row.
 constexpr std::string_view kSourceBody = R"(
-layout(triangle_strip, max_vertices = 6) out;
+layout(triangle_strip, max_vertices = 18) out;
 layout(location = 0) in vec3 g_position[];
 layout(location = 1) in vec3 g_normal[];
 layout(location = 2) in vec4 g_tangent[];
@@ -114,15 +114,7 @@ void EmitTriangle(int axis, int face, int row, float area) {
   EndPrimitive();
 }
 
-void main() {
-  vec3 n = NormalOf(g_unit[0], g_unit[1], g_unit[2]);
-  vec3 m = abs(n);
-  int axis = m.x >= max(m.y, m.z) ? 0 : m.y >= m.z ? 1 : 2;
-  if (!(m[axis] > 0.0)) return;
-  int face = 2 * axis + (n[axis] > 0.0 ? 0 : 1);
-  float area = length(n) / m[axis];
-  EmitTriangle(axis, face, 0, area);
-
+bool MayHide(int axis, int face) {
   vec3 texels = FaceAxes(vec3(box_texels.xyz), axis);
   float depth_slack = 1.0 / min(texels.x, texels.y);
   vec2 low = vec2(1e9), high = vec2(-1e9);
@@ -136,7 +128,24 @@ void main() {
     ivec2 texel = clamp(ivec2(at), ivec2(0), ivec2(texels.xy) - 1) + ivec2(face * box_texels.w, 0);
     is_behind = is_behind || depth > texelFetch(face_depth, texel, 0).r + depth_slack;
   }
-  if (is_behind || max(high.x - low.x, high.y - low.y) > LARGE) EmitTriangle(axis, face, 1, area);
+  return is_behind || max(high.x - low.x, high.y - low.y) > LARGE;
+}
+
+void main() {
+  vec3 n = NormalOf(g_unit[0], g_unit[1], g_unit[2]);
+  vec3 m = abs(n);
+  float most = max(m.x, max(m.y, m.z));
+  if (!(most > 0.0)) return;
+  vec3 shares = max(m - SHARING * most, vec3(0.0));
+  shares *= shares;
+  shares /= shares.x + shares.y + shares.z;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(shares[axis] > 0.0)) continue;
+    int face = 2 * axis + (n[axis] > 0.0 ? 0 : 1);
+    float area = length(n) / m[axis] * (IS_WHOLE ? 1.0 : shares[axis]);
+    EmitTriangle(axis, face, 0, area);
+    if (!IS_WHOLE && MayHide(axis, face)) EmitTriangle(axis, face, 1, area);
+  }
 }
 )";
 
@@ -175,15 +184,18 @@ std::string FaceDepthDeclaration() {
 
 std::string FaceDepthVertexText() { return Begin() + std::string(kDepthVertex); }
 
-std::string FaceDepthGeometryText() {
-  return Begin() + fmt::format("const float REACH = {:.4f};\n", kFaceReach) + std::string(kTriangle) +
-         std::string(kDepthBody);
+std::string FaceDepthGeometryText(bool is_paper) {
+  return Begin() + fmt::format("const float REACH = {:.4f};\n", is_paper ? kPaperReach : kFaceReach) +
+         std::string(kTriangle) + std::string(kDepthBody);
 }
 
 std::string SourceVertexText() { return Begin() + std::string(kSourceVertex); }
 
-std::string SourceGeometryText() {
-  return Begin() + FaceDepthDeclaration() + std::string(kTriangle) + std::string(kSourceBody);
+std::string SourceGeometryText(bool is_paper) {
+  return Begin() +
+         fmt::format("const float SHARING = {:.4f};\nconst bool IS_WHOLE = {};\n", is_paper ? kPaperReach : kSharing,
+                     is_paper) +
+         FaceDepthDeclaration() + std::string(kTriangle) + std::string(kSourceBody);
 }
 
 std::string SourceFragmentText(std::uint32_t features) {
