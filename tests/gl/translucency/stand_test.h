@@ -19,7 +19,7 @@ class TranslucencyTest : public gl::ContextTest {
     return lighting;
   }
 
-  /// Against the reference, at a few points of two views.
+  /// Against the reference, at a few points of four views.
   static Deviation Measure(const Surface& surface, const char* medium_name, const Lighting& lighting,
                            Scattering scattering, std::size_t piece_count = 15000) {
     const Medium medium = *FindMeasuredMedium(medium_name);
@@ -29,7 +29,7 @@ class TranslucencyTest : public gl::ContextTest {
         lighting.lamp ? PointLight(*lighting.lamp, lighting.intensity, ior, occlusion) : Environment(lighting.sky, ior);
     const Pieces pieces(surface, piece_count, entering);
     Stand stand(surface, medium, lighting, scattering);
-    return Compare(stand, pieces, medium, 60, {{30, 35, 70}, {-50, 40, -50}}, 64);
+    return Compare(stand, pieces, medium, 120, {{30, 35, 70}, {-40, -30, 65}, {45, -25, -66}, {-50, 40, -50}}, 96);
   }
 };
 
