@@ -83,6 +83,29 @@ Result<void> StoreFactor(Settings& settings, const std::string& value) {
   return {};
 }
 
+Result<void> StoreScattering(Settings& settings, const std::string& value) {
+  using enum translucency::Scattering;
+  settings.job.translucency.scattering = value == "paper"  ? kPaper
+                                         : value == "fast" ? kFast
+                                         : value == "high" ? kHigh
+                                                           : kFull;
+  return {};
+}
+
+Result<void> AddTranslucency(Settings& settings, const std::string& value) {
+  Result<translucency::Assignment> assignment = translucency::ParseAssignment(value);
+  if (!assignment) return Fail(ErrorKind::kUsage, "--translucency: " + assignment.error().message);
+  settings.job.translucency.assignments.push_back(*std::move(assignment));
+  return {};
+}
+
+Result<void> StoreUnit(Settings& settings, const std::string& value) {
+  float unit_mm = 0.0f;
+  if (auto good = StoreWithin(unit_mm, "unit-mm", value, 1e-9, 1e9); !good) return good;
+  settings.job.translucency.unit_mm = std::stod(value);
+  return {};
+}
+
 Result<void> StoreAlpha(Settings& settings, const std::string& value) {
   using enum render::AlphaOutput;
   settings.job.alpha = value == "keep" ? kKeep : value == "drop" ? kDrop : kAuto;
@@ -244,6 +267,32 @@ constexpr OptionSpec kTable[] = {
      [](Settings& s, const std::string& v) {
        s.job.edges.sorts_whole_scene = v == "scene";
        return Result<void>();
+     }},
+    {"translucency", 0, "GLOB=MEDIUM", kRender, kScene,
+     "Make the materials whose names fit translucent: a measured medium (Apple, Chicken1, Chicken2, Cream, Ketchup, "
+     "Marble, Potato, Skimmilk, Skin1, Skin2, Spectralon, Wholemilk), scattering:R,G,B;absorption:R,G,B[;ior:N] per "
+     "millimetre, albedo:R,G,B;path:R,G,B[;ior:N] with the mean free path in millimetres, or none. Can be given several "
+     "times; the last that fits counts. Otherwise what the file says.",
+     "", Repeat::kCollect, AddTranslucency},
+    {"unit-mm", 0, "N", kRender, kScene, "Millimetres a scene unit, for translucency. Otherwise 1000, glTF's metre.",
+     "", Repeat::kLast, StoreUnit},
+    {"scattering", 0, "HOW", kRender, kScene,
+     "How translucent light is gathered: paper is the published method with its kernel of one mean free path; fast, full "
+     "and high take in all of it, ever more closely. Otherwise full.",
+     "paper|fast|full|high", Repeat::kLast, StoreScattering},
+    {"paper-kernel", 0, "N", kRender, kScene,
+     "With --scattering paper: samples across the kernel, 1 to 32. Otherwise 5, which the paper finds enough.", "",
+     Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       const Result<long> number = ParseInteger("paper-kernel", v, 1, 32);
+       if (!number) return Result<void>(std::unexpected(number.error()));
+       s.job.translucency.paper_kernel = static_cast<int>(*number);
+       return Result<void>();
+     }},
+    {"morph-to-sphere", 0, "T", kRender, kScene,
+     "Deform each object towards its bounding sphere: 0 not at all, 1 all the way. Otherwise 0.", "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       return StoreWithin(s.job.morph_to_sphere, "morph-to-sphere", v, 0.0, 1.0);
      }},
 
     {"tessellation", 0, "MODE", kRender | kTessellate, kScene,

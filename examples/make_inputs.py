@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the example scenes beside it: still_life.glb and walk.glb. The same bytes on every machine.
+"""Makes the example scenes beside it: still_life.glb, walk.glb, candle.glb and head.glb. The same bytes on every machine.
 
     examples/make_inputs.py [FOLDER]      writes into FOLDER (default: its own)
     examples/make_inputs.py --check       exits with 1 when the files in its folder differ from what it would write
@@ -11,10 +11,12 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import candle
 import still_life
 import walk
 
-MAKERS = {"still_life.glb": still_life.make, "walk.glb": walk.make}
+MAKERS = {"still_life.glb": still_life.make, "walk.glb": walk.make, "candle.glb": candle.make_candle,
+          "head.glb": candle.make_head}
 
 
 def main(arguments):

@@ -66,14 +66,17 @@ class EdgeStage {
                                           const gl::Texture& depth) = 0;
 };
 
+class TranslucencyStage;  // translucency_stage.h
+
 /// Everything about one frame that the renderer does not keep.
 struct FrameInput {
   scene::View view;
   scene::View previous_view;
   const scene::Pose* pose = nullptr;  ///< for lights
   std::span<const scene::DrawItem> items;
-  glm::vec4 background{0.0f};  ///< of `color`, scene-linear with associated alpha (--background)
-  EdgeStage* edges = nullptr;  ///< null: edges stay as they are, and attributes of edges empty
+  glm::vec4 background{0.0f};                 ///< of `color`, scene-linear with associated alpha (--background)
+  EdgeStage* edges = nullptr;                 ///< null: edges stay as they are, and attributes of edges empty
+  TranslucencyStage* translucency = nullptr;  ///< null: nothing is translucent
 };
 
 /// Draws one item's geometry with the caller's program bound; attributes at gl::VertexLocation.

@@ -40,6 +40,10 @@ enum class Attribute : std::uint8_t {
   kVideo,
   kEdges,
   kEdgeDist,
+  kIrradiance,
+  kTranslucency,
+  kLocalScattering,
+  kGlobalScattering,
   kCount
 };
 
@@ -65,6 +69,17 @@ struct AttributeInfo {
 /// True for those that an EdgeStage fills (attribute_renderer.h).
 [[nodiscard]] constexpr bool IsEdgeAttribute(Attribute attribute) {
   return attribute == Attribute::kEdges || attribute == Attribute::kEdgeDist;
+}
+
+/// True for those that tell light scattered nearby from the rest.
+[[nodiscard]] constexpr bool IsScatteringPart(Attribute attribute) {
+  return attribute == Attribute::kLocalScattering || attribute == Attribute::kGlobalScattering;
+}
+
+/// True for those that a TranslucencyStage has a part in, colour included.
+[[nodiscard]] constexpr bool IsScattering(Attribute attribute) {
+  return attribute == Attribute::kColor || attribute == Attribute::kIntensity || attribute == Attribute::kIrradiance ||
+         attribute == Attribute::kTranslucency || IsScatteringPart(attribute);
 }
 
 }  // namespace burin::gbuffer

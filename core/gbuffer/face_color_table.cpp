@@ -11,6 +11,7 @@
 #include <bit>
 
 #include "core/gbuffer/frame_blocks.h"
+#include "core/gbuffer/translucency_stage.h"
 #include "core/gl/buffer.h"
 #include "core/gl/framebuffer.h"
 #include "core/gl/state.h"
@@ -99,11 +100,13 @@ Result<void> FaceColorTable::Reserve(std::uint32_t blocks) {
   return {};
 }
 
-Result<const gl::Program*> FaceColorTable::ProgramOf(std::uint32_t features) {
+Result<const gl::Program*> FaceColorTable::ProgramOf(std::uint32_t features, const TranslucencyStage* translucency) {
   const auto found = programs_.find(features);
   if (found != programs_.end()) return &found->second;
-  Result<gl::Program> program = gl::Program::Create(kVertexText, GeometryFragmentText({ColorOutput()}, features),
-                                                    fmt::format("face colours, features 0x{:x}", features));
+  const std::string_view scattering = translucency != nullptr ? translucency->ShaderText() : std::string_view();
+  Result<gl::Program> program =
+      gl::Program::Create(kVertexText, GeometryFragmentText({ColorOutput()}, features, scattering),
+                          fmt::format("face colours, features 0x{:x}", features));
   if (!program) return std::unexpected(program.error());
   return &programs_.emplace(features, std::move(*program)).first->second;
 }
@@ -128,10 +131,11 @@ Result<const gl::Texture*> FaceColorTable::Shade(std::span<const FaceEdge> edges
     const PreparedDraw& draw = *by_item[range.item];
     const std::uint32_t features =
         RelevantFeatures({ColorOutput()}, draw.features | kIsSample | (draw.is_blend ? kIsBlendedColor : 0u));
-    const Result<const gl::Program*> program = ProgramOf(features);
+    const Result<const gl::Program*> program = ProgramOf(features, draws.translucency);
     if (!program) return std::unexpected(program.error());
     glUseProgram((*program)->id());
     if (Result<void> bound = materials.Bind(draw.material, features); !bound) return std::unexpected(bound.error());
+    if ((features & kIsTranslucent) != 0) draws.translucency->Bind(draw.block);
     FillBlocks(range);
   }
   glBindVertexArray(0);

@@ -31,7 +31,7 @@ class FaceColorTable {
  private:
   void Gather(std::span<const FaceEdge> edges, const FrameInput& frame, const SampleView& view);
   [[nodiscard]] Result<void> Reserve(std::uint32_t blocks);
-  [[nodiscard]] Result<const gl::Program*> ProgramOf(std::uint32_t features);
+  [[nodiscard]] Result<const gl::Program*> ProgramOf(std::uint32_t features, const TranslucencyStage* translucency);
 
   const scene::Scene* scene_;
   SamplePlan plan_;

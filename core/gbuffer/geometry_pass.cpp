@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/gbuffer/gpu_blocks.h"
+#include "core/gbuffer/translucency_stage.h"
 
 namespace burin::gbuffer {
 namespace {
@@ -52,18 +53,20 @@ std::vector<Output> GeometryPass::OutputsOf(Phase phase) const {
   return chosen;
 }
 
-Result<const gl::Program*> GeometryPass::ProgramOf(Phase phase, std::uint32_t features) {
+Result<const gl::Program*> GeometryPass::ProgramOf(Phase phase, std::uint32_t features,
+                                                   const TranslucencyStage* translucency) {
   const std::pair key(phase, features);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return &found->second;
+  const std::string_view scattering = translucency != nullptr ? translucency->ShaderText() : std::string_view();
   Result<gl::Program> program =
-      gl::Program::Create(GeometryVertexText(features), GeometryFragmentText(OutputsOf(phase), features),
+      gl::Program::Create(GeometryVertexText(features), GeometryFragmentText(OutputsOf(phase), features, scattering),
                           fmt::format("geometry pass, features 0x{:x}", features));
   if (!program) return std::unexpected(program.error());
   return &programs_.emplace(key, std::move(*program)).first->second;
 }
 
-Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> draws, std::uint32_t block_buffer,
+Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> draws, const FrameDraws& frame,
                                      MaterialStore& materials) {
   const std::vector<Output> outputs = OutputsOf(phase);
   // Without any outputs the pass is there for its depth.
@@ -80,13 +83,14 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
     if (phase == Phase::kBlendedOthers) features |= kIsBlend;
     features = RelevantFeatures(outputs, features);
     if (bound != std::pair(draw.material, features)) {
-      const Result<const gl::Program*> program = ProgramOf(phase, features);
+      const Result<const gl::Program*> program = ProgramOf(phase, features, frame.translucency);
       if (!program) return std::unexpected(program.error());
       glUseProgram((*program)->id());
       if (Result<void> result = materials.Bind(draw.material, features); !result) return result;
       bound = {draw.material, features};
     }
-    glBindBufferRange(GL_UNIFORM_BUFFER, kDrawBinding, block_buffer,
+    if ((features & kIsTranslucent) != 0) frame.translucency->Bind(draw.block);
+    glBindBufferRange(GL_UNIFORM_BUFFER, kDrawBinding, frame.block_buffer,
                       static_cast<GLintptr>(draw.block * AlignBlock(sizeof(DrawBlock))), sizeof(DrawBlock));
     glBindVertexArray(draw.primitive->vertex_array.id());
     SetCulling(draw);
@@ -100,8 +104,7 @@ Result<void> GeometryPass::DrawPhase(Phase phase, std::span<const PreparedDraw> 
 Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& materials,
                                 const std::function<Result<void>()>& after_opaque) {
   SetDepthTest();
-  if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws.block_buffer, materials); !result)
-    return result;
+  if (Result<void> result = DrawPhase(Phase::kOpaque, draws.opaque, draws, materials); !result) return result;
   if (after_opaque) {
     if (Result<void> result = after_opaque(); !result) return result;
     SetDepthTest();
@@ -112,12 +115,12 @@ Result<void> GeometryPass::Draw(const FrameDraws& draws, MaterialStore& material
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  Result<void> result = DrawPhase(Phase::kBlendedColor, draws.blended, draws.block_buffer, materials);
+  Result<void> result = DrawPhase(Phase::kBlendedColor, draws.blended, draws, materials);
   if (!result) return result;
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glCullFace(GL_BACK);
-  return DrawPhase(Phase::kBlendedOthers, draws.blended, draws.block_buffer, materials);
+  return DrawPhase(Phase::kBlendedOthers, draws.blended, draws, materials);
 }
 
 }  // namespace burin::gbuffer

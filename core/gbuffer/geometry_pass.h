@@ -27,11 +27,14 @@ struct PreparedDraw {
   bool is_mirrored = false;
 };
 
+class TranslucencyStage;
+
 /// A frame's draws: blended ones apart, farthest first.
 struct FrameDraws {
   std::vector<PreparedDraw> opaque;
   std::vector<PreparedDraw> blended;
-  std::uint32_t block_buffer = 0;  ///< GL name; DrawBlocks every AlignBlock(sizeof(DrawBlock)) bytes
+  const TranslucencyStage* translucency = nullptr;  ///< of draws with kIsTranslucent
+  std::uint32_t block_buffer = 0;                   ///< GL name; DrawBlocks every AlignBlock(sizeof(DrawBlock)) bytes
 };
 
 /// Draws a frame into one set of outputs. Programs are made when a kind of draw first occurs.
@@ -50,9 +53,10 @@ class GeometryPass {
  private:
   enum class Phase : std::uint8_t { kOpaque, kBlendedColor, kBlendedOthers };
   [[nodiscard]] std::vector<Output> OutputsOf(Phase phase) const;
-  [[nodiscard]] Result<void> DrawPhase(Phase phase, std::span<const PreparedDraw> draws, std::uint32_t block_buffer,
+  [[nodiscard]] Result<void> DrawPhase(Phase phase, std::span<const PreparedDraw> draws, const FrameDraws& frame,
                                        MaterialStore& materials);
-  [[nodiscard]] Result<const gl::Program*> ProgramOf(Phase phase, std::uint32_t features);
+  [[nodiscard]] Result<const gl::Program*> ProgramOf(Phase phase, std::uint32_t features,
+                                                     const TranslucencyStage* translucency);
 
   std::vector<Output> outputs_;
   std::map<std::pair<Phase, std::uint32_t>, gl::Program> programs_;

@@ -112,7 +112,7 @@ layout(location = 4) in vec2 v_texcoord0;
 layout(location = 5) in vec2 v_texcoord1;
 layout(location = 6) in vec3 v_clip;
 layout(location = 7) in vec3 v_previous_clip;
-bool IsFront() { return gl_FrontFacing; }
+bool IsFront() { return IS_FACE_MAP == 1 || gl_FrontFacing; }
 vec3 PositionDx() { return dFdx(v_position); }
 vec3 PositionDy() { return dFdy(v_position); }
 vec2 Texcoord0Dx() { return dFdx(v_texcoord0); }
@@ -228,6 +228,10 @@ Surface GetSurface() {
   return s;
 }
 
+// Colour is taken half where light enters and half where it leaves (after d'Eon and Luebke 2007): neither all
+// of the texture's detail is blurred nor none.
+vec3 ScatterTint(Surface s) { return sqrt(max(s.base.rgb, vec3(0.0)) * (1.0 - s.metallic)); }
+
 vec2 PixelOf(vec3 clip) {
   return (vec2(0.5, -0.5) * clip.xy / max(clip.z, 1e-6) + 0.5) * viewport.xy;
 }
@@ -236,6 +240,26 @@ float LightDepth() {
   vec3 d = v_position - key_position.xyz;
   return key_direction.w > 0.5 && key_direction.w < 1.5 ? length(d) : dot(d, key_direction.xyz);
 }
+)";
+
+// Jensen et al. 2001, equation 5: radiance is radiosity / pi times what gets through the boundary towards the eye.
+constexpr std::string_view kScatter = R"(
+struct Scattered { vec3 all; vec3 near; };
+Scattered scattered = Scattered(vec3(0.0), vec3(0.0));
+#if IS_TRANSLUCENT
+Scattered ScatteredLight(Surface s) {
+  vec3 g = IsFront() ? Unit(v_normal) : -Unit(v_normal);
+  Scattered result;
+  Radiosity(s.position, g, result.all, result.near);
+  vec3 leaving = ScatterTint(s) * (0.318309886 * FresnelTransmittance(dot(s.normal, s.view)));
+  result.all *= leaving;
+  result.near *= leaving;
+  return result;
+}
+vec3 Entering(Surface s) { return EnteringLight(s.position, s.normal, IsFront() ? Unit(v_normal) : -Unit(v_normal)); }
+#else
+vec3 Entering(Surface s) { return vec3(0.0); }
+#endif
 )";
 
 constexpr std::string_view kCoverage = R"(
@@ -281,6 +305,8 @@ constexpr std::array kFeatureNames = {
     FeatureName{kIsBlendedColor, "IS_BLENDED_COLOR"},
     FeatureName{kIsSample, "IS_SAMPLE"},
     FeatureName{kHasPatches, "HAS_PATCHES"},
+    FeatureName{kIsTranslucent, "IS_TRANSLUCENT"},
+    FeatureName{kIsFaceMap, "IS_FACE_MAP"},
 };
 
 constexpr std::uint32_t kNormalFeatures = kHasNormals | kHasNormalTexture | kHasTangents | kHasTexcoords;
@@ -292,7 +318,9 @@ struct Source {
   std::uint32_t features;
 };
 constexpr std::uint32_t kColorFeatures = kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasOcclusionTexture |
-                                         kHasEmissiveTexture | kIsUnlit | kHasLights | kNormalFeatures;
+                                         kHasEmissiveTexture | kIsUnlit | kHasLights | kNormalFeatures | kIsTranslucent;
+constexpr std::uint32_t kScatterFeatures =
+    kHasBaseColorTexture | kHasMetallicRoughnessTexture | kHasLights | kNormalFeatures | kIsTranslucent;
 constexpr std::array kSources = {
     Source{Attribute::kColor, "color", kColorFeatures},
     Source{Attribute::kIntensity, "color", kColorFeatures},
@@ -320,6 +348,10 @@ constexpr std::array kSources = {
     Source{Attribute::kRoughness, "vec4(s.roughness)", kHasMetallicRoughnessTexture},
     Source{Attribute::kMetallic, "vec4(s.metallic)", kHasMetallicRoughnessTexture},
     Source{Attribute::kLightDepth, "vec4(LightDepth())", 0},
+    Source{Attribute::kIrradiance, "vec4(Entering(s), 0.0)", kScatterFeatures},
+    Source{Attribute::kTranslucency, "vec4(scattered.all, 0.0)", kScatterFeatures},
+    Source{Attribute::kLocalScattering, "vec4(scattered.near, 0.0)", kScatterFeatures},
+    Source{Attribute::kGlobalScattering, "vec4(scattered.all - scattered.near, 0.0)", kScatterFeatures},
 };
 
 const Source& SourceOf(Attribute attribute) { return *std::ranges::find(kSources, attribute, &Source::attribute); }
@@ -336,6 +368,17 @@ bool NeedsColor(const std::vector<Output>& outputs) {
     return output.is_blended || output.storage.attribute == Attribute::kColor ||
            output.storage.attribute == Attribute::kIntensity;
   });
+}
+
+bool WantsParts(const std::vector<Output>& outputs) {
+  return std::ranges::any_of(
+      outputs, [](const Output& output) { return !output.is_blended && IsScatteringPart(output.storage.attribute); });
+}
+
+bool WantsScattering(const std::vector<Output>& outputs) {
+  return NeedsColor(outputs) || WantsParts(outputs) || std::ranges::any_of(outputs, [](const Output& output) {
+           return output.storage.attribute == Attribute::kTranslucency;
+         });
 }
 
 }  // namespace
@@ -370,7 +413,7 @@ std::string GeometryVertexText(std::uint32_t features) {
   return text;
 }
 
-std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features) {
+std::string SurfaceText(std::uint32_t features) {
   std::string text = "#version 450 core\n";
   for (const FeatureName& entry : kFeatureNames) {
     text += fmt::format("#define {} {}\n", entry.name, (features & entry.feature) != 0 ? 1 : 0);
@@ -381,8 +424,20 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   text += fmt::format("#define BLEND_CUTOFF {:.3f}\n", kBlendCutoff);
   text += BlockDeclarations();
   text += kFragmentInputs;
-  text += StorageFunctions();
   text += kSurfaceFunctions;
+  text += LightFunctions();
+  return text;
+}
+
+std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features,
+                                 std::string_view translucency) {
+  std::string text = SurfaceText(features);
+  text += StorageFunctions();
+  if ((features & kIsTranslucent) != 0) {
+    text += fmt::format("#define PARTS {}\n", WantsParts(outputs) ? 1 : 0);
+    text += translucency;
+  }
+  text += kScatter;
   const bool needs_color = NeedsColor(outputs);
   if (needs_color) text += ShadingFunctions();
   for (const Output& output : outputs) {
@@ -391,6 +446,7 @@ std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32
   text += "void main() {\n";
   if ((features & kIsSample) != 0) text += fmt::format("  LoadSample({});\n", FaceSampleIndex());
   text += "  Surface s = GetSurface();\n";
+  if (WantsScattering(outputs)) text += "#if IS_TRANSLUCENT\n  scattered = ScatteredLight(s);\n#endif\n";
   text += kCoverage;
   if (needs_color) text += kColorStatements;
   for (const Output& output : outputs) text += OutputStatement(output);

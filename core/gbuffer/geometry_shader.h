@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/gbuffer/storage.h"
@@ -27,6 +28,8 @@ enum DrawFeature : std::uint32_t {
   kIsBlendedColor = 1u << 12,  ///< alpha mode BLEND, drawn for its colour alone
   kIsSample = 1u << 13,        ///< FaceSamples, one a fragment (face_samples.h says where), for their colour alone
   kHasPatches = 1u << 14,      ///< the draw is a tessellated surface
+  kIsTranslucent = 1u << 15,   ///< light scatters through it (translucency_stage.h)
+  kIsFaceMap = 1u << 16,       ///< drawn by a TranslucencyStage itself: every surface is a front
 };
 
 /// BLEND surfaces with less alpha than this are not there for any attribute but color, intensity and alpha.
@@ -42,7 +45,12 @@ struct Output {
 
 /// `features`: those of the fragment text that it goes with.
 [[nodiscard]] std::string GeometryVertexText(std::uint32_t features);
-[[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features);
+/// `translucency`: TranslucencyStage::ShaderText(), for draws with kIsTranslucent.
+[[nodiscard]] std::string GeometryFragmentText(const std::vector<Output>& outputs, std::uint32_t features,
+                                               std::string_view translucency = {});
+/// The beginning of a fragment shader that calls `Surface GetSurface()`, and `vec3 ScatterTint(Surface s)`, by which
+/// light is multiplied where it enters and where it leaves. Blocks, inputs and functions.
+[[nodiscard]] std::string SurfaceText(std::uint32_t features);
 
 /// The features that make a difference to these outputs.
 [[nodiscard]] std::uint32_t RelevantFeatures(const std::vector<Output>& outputs, std::uint32_t features);

@@ -17,6 +17,7 @@
 #include "core/gbuffer/geometry_pass.h"
 #include "core/gbuffer/light_setup.h"
 #include "core/gbuffer/request_groups.h"
+#include "core/gbuffer/translucency_stage.h"
 #include "core/gl/buffer.h"
 #include "core/gl/framebuffer.h"
 #include "core/gl/state.h"
@@ -44,6 +45,12 @@ bool SmoothsIndirectly(const FrameInput& frame, std::span<const Request> request
     return IsColorClass(request.attribute) &&
            !CanLoadColor({request.attribute, request.target->format(), request.encoding});
   });
+}
+
+// Lit triangles of a translucent material, but not what is blended: its alpha lets light through already.
+bool Scatters(const FrameInput& frame, const PreparedDraw& draw) {
+  return frame.translucency != nullptr && draw.primitive->mode == GL_TRIANGLES && !draw.is_blend &&
+         (draw.features & kIsUnlit) == 0 && frame.translucency->IsTranslucent(draw.material);
 }
 
 class Renderer final : public SceneRenderer {
@@ -78,6 +85,11 @@ class Renderer final : public SceneRenderer {
   Result<void> RenderEdges(const FrameInput& frame, const FrameDraws& draws, std::span<const Request> requests,
                            std::set<Size> drawn);
   void BindFrame(const FrameInput& frame, Size size, bool wants_color);
+  [[nodiscard]] float EnvironmentStrength() const {
+    return environment_.is_builtin() && light_count_ > 0 ? kStudioFill : 1.0f;
+  }
+  Result<void> UpdateTranslucency(const FrameInput& frame, const FrameDraws& draws, std::span<const LightRecord> lights,
+                                  std::span<const Request> requests);
   Result<Buffers*> BuffersOf(Size size, bool wants_color);
   GeometryPass& PassOf(std::vector<Output> outputs);
 
@@ -121,6 +133,7 @@ Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
     if (draw.primitive->has_tangents) draw.features |= kHasTangents;
     if (draw.primitive->has_texcoords) draw.features |= kHasTexcoords;
     if (draw.primitive->has_patches) draw.features |= kHasPatches;
+    if (Scatters(frame, draw)) draw.features |= kIsTranslucent;
     draw.view_depth =
         -(frame.view.view_from_world * item.world_from_object * glm::vec4(draw.primitive->center, 1.0f)).z;
 
@@ -131,6 +144,7 @@ Result<FrameDraws> Renderer::Prepare(const FrameInput& frame) {
   std::ranges::stable_sort(draws.blended, std::greater<>(), &PreparedDraw::view_depth);
   gl::StreamInto(draw_blocks_, blocks.data(), blocks.size());
   draws.block_buffer = draw_blocks_.id();
+  draws.translucency = frame.translucency;
   return draws;
 }
 
@@ -186,14 +200,31 @@ void Renderer::BindFrame(const FrameInput& frame, Size size, bool wants_color) {
   if (wants_color) {
     environment_.Prepare();
     environment_.Bind(kEnvironmentUnit);
-    const bool fills = environment_.is_builtin() && light_count_ > 0;
     block.irradiance = environment_.irradiance();
-    block.environment = glm::vec4(fills ? kStudioFill : 1.0f, static_cast<float>(environment_.last_level()),
+    block.environment = glm::vec4(EnvironmentStrength(), static_cast<float>(environment_.last_level()),
                                   static_cast<float>(light_count_), 0.0f);
   }
   gl::StreamInto(frame_block_, &block, sizeof(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame_block_.id());
   if (light_count_ > 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLightBinding, lights_.id());
+}
+
+Result<void> Renderer::UpdateTranslucency(const FrameInput& frame, const FrameDraws& draws,
+                                          std::span<const LightRecord> lights, std::span<const Request> requests) {
+  const bool is_wanted = std::ranges::any_of(requests, IsScattering, &Request::attribute);
+  if (frame.translucency == nullptr || !is_wanted) return {};
+  if (light_count_ > 0) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kLightBinding, lights_.id());
+  TranslucencyInput input;
+  input.frame = &frame;
+  input.draws = &draws;
+  input.materials = &materials_;
+  input.lights = lights;
+  input.environment_strength = EnvironmentStrength();
+  for (const Request& request : requests) input.height = std::max(input.height, request.target->height());
+  input.wants_parts = std::ranges::any_of(requests, IsScatteringPart, &Request::attribute);
+  Result<void> updated = frame.translucency->Update(input);
+  gl::ResetState();
+  return updated;
 }
 
 Result<void> Renderer::RenderGroup(const FrameInput& frame, const FrameDraws& draws, Size size,
@@ -287,6 +318,7 @@ Result<void> Renderer::Render(const FrameInput& frame, std::span<const Request> 
   if (light_count_ > 0) gl::StreamInto(lights_, lights.data(), lights.size() * sizeof(LightRecord));
   const Result<FrameDraws> draws = Prepare(frame);
   if (!draws) return std::unexpected(draws.error());
+  if (auto updated = UpdateTranslucency(frame, *draws, lights, drawn); !updated) return updated;
 
   const bool takes_over = !draws->blended.empty() || SmoothsIndirectly(frame, drawn);
   std::map<Size, std::vector<Request>> resolves;

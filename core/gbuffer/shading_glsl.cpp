@@ -10,6 +10,38 @@
 
 namespace burin::gbuffer {
 
+std::string_view LightFunctions() {
+  return R"(
+#if LIGHTS
+struct Light {
+  vec4 position;
+  vec4 direction;
+  vec4 color;
+  vec4 cone;
+};
+layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
+
+vec3 LightArriving(int i, vec3 position, out vec3 l) {
+  Light light = lights[i];
+  l = -light.direction.xyz;
+  float strength = 1.0;
+  if (light.direction.w > 0.5) {
+    vec3 to_light = light.position.xyz - position;
+    float d2 = max(dot(to_light, to_light), 1e-8);
+    l = to_light * inversesqrt(d2);
+    float window = d2 * light.position.w;
+    strength = clamp(1.0 - window * window, 0.0, 1.0) / d2;
+  }
+  if (light.direction.w > 1.5) {
+    float cone = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
+    strength *= cone * cone;
+  }
+  return strength * light.color.rgb;
+}
+#endif
+)";
+}
+
 std::string_view ShadingFunctions() {
   return R"(
 layout(binding = 5) uniform samplerCube reflections;
@@ -45,14 +77,6 @@ vec3 EnvironmentLight(Surface s, vec3 diffuse_color, vec3 f0, float n_v) {
 }
 
 #if LIGHTS
-struct Light {
-  vec4 position;
-  vec4 direction;
-  vec4 color;
-  vec4 cone;
-};
-layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
-
 vec3 Reflect(Surface s, vec3 diffuse_color, vec3 f0, float n_v, vec3 l) {
   vec3 h = normalize(s.view + l);
   float n_l = clamp(dot(s.normal, l), 0.0, 1.0);
@@ -71,21 +95,9 @@ vec3 PunctualLight(Surface s, vec3 diffuse_color, vec3 f0, float n_v) {
   vec3 sum = vec3(0.0);
   int count = int(environment.z);
   for (int i = 0; i < count; ++i) {
-    Light light = lights[i];
-    vec3 l = -light.direction.xyz;
-    float strength = 1.0;
-    if (light.direction.w > 0.5) {
-      vec3 to_light = light.position.xyz - s.position;
-      float d2 = max(dot(to_light, to_light), 1e-8);
-      l = to_light * inversesqrt(d2);
-      float window = d2 * light.position.w;
-      strength = clamp(1.0 - window * window, 0.0, 1.0) / d2;
-    }
-    if (light.direction.w > 1.5) {
-      float cone = clamp(dot(light.direction.xyz, -l) * light.cone.x + light.cone.y, 0.0, 1.0);
-      strength *= cone * cone;
-    }
-    sum += strength * light.color.rgb * Reflect(s, diffuse_color, f0, n_v, l);
+    vec3 l;
+    vec3 light = LightArriving(i, s.position, l);
+    sum += light * Reflect(s, diffuse_color, f0, n_v, l);
   }
   return sum;
 }
@@ -93,11 +105,18 @@ vec3 PunctualLight(Surface s, vec3 diffuse_color, vec3 f0, float n_v) {
 
 vec3 Shade(Surface s) {
   vec3 f0 = mix(reflectance.xxx, s.base.rgb, s.metallic);
+#if IS_TRANSLUCENT
+  vec3 diffuse_color = vec3(0.0);   // the light that enters comes out elsewhere
+#else
   vec3 diffuse_color = s.base.rgb * (1.0 - s.metallic);
+#endif
   float n_v = clamp(dot(s.normal, s.view), 1e-4, 1.0);
   vec3 color = s.emissive + EnvironmentLight(s, diffuse_color, f0, n_v);
 #if LIGHTS
   color += PunctualLight(s, diffuse_color, f0, n_v);
+#endif
+#if IS_TRANSLUCENT
+  color += scattered.all;
 #endif
   return color;
 }

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/image/convert.h"
 #include "core/image/luma.h"
 
@@ -61,6 +64,7 @@ Result<void> FrameRenderer::Build(RendererInput input) {
     options.environment = input.environment;
     options.samples = input.samples;
     options.edges = input.edges;
+    options.translucency = input.translucency;
     if (input.background) {
       const auto& [r, g, b, a] = *input.background;
       options.background = {r * a, g * a, b * a, a};
@@ -255,7 +259,9 @@ std::vector<std::string> FrameRenderer::TakeNotes() {
 }
 
 std::vector<std::string> FrameRenderer::TakeWarnings() {
-  return chain_ ? chain_->TakeWarnings() : std::vector<std::string>();
+  std::vector<std::string> warnings = scene_ ? scene_->TakeWarnings() : std::vector<std::string>();
+  if (chain_) std::ranges::move(chain_->TakeWarnings(), std::back_inserter(warnings));
+  return warnings;
 }
 
 const std::vector<std::string>& FrameRenderer::choices() const {

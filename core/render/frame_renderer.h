@@ -21,6 +21,7 @@ struct RendererInput {
   const image::Image* environment = nullptr;       ///< null: the built-in one
   std::optional<std::array<float, 4>> background;  ///< scene-linear, unassociated alpha
   overdraw::EdgeOptions edges;
+  translucency::TranslucencyOptions translucency;
   int samples = 1;  ///< of a scene's colour, a pixel
   std::vector<std::shared_ptr<const fx::Effect>> effects;
   std::vector<std::string> techniques;

@@ -10,6 +10,7 @@
 #include "core/image/image_module.h"
 #include "core/overdraw/edge_options.h"
 #include "core/scene/tessellation_options.h"
+#include "core/translucency/translucency_options.h"
 #include "core/video/video_module.h"
 
 namespace burin::render {
@@ -39,7 +40,9 @@ struct Job {
   std::optional<std::array<float, 4>> background;  ///< scene-linear RGBA behind a scene; absent: transparent
   overdraw::EdgeOptions edges;
   scene::TessellationOptions tessellation;
-  int samples = 1;  ///< of a scene's colour, a pixel: 1, 4 or 16
+  translucency::TranslucencyOptions translucency;
+  float morph_to_sphere = 0.0f;  ///< 0..1
+  int samples = 1;               ///< of a scene's colour, a pixel: 1, 4 or 16
   image::ColorOptions color;
   std::string device = "auto";
   int threads = 0;

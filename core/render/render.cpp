@@ -147,6 +147,7 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   input.background = Background(job, plan.output);
   input.samples = job.samples;
   input.edges = job.edges;
+  input.translucency = job.translucency;
   input.effects = std::move(effects);
   input.include_folders = job.include_folders;
   input.transform = prepared.transform;

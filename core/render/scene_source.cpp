@@ -9,6 +9,7 @@
 #include "core/gbuffer/key_light.h"
 #include "core/render/source.h"
 #include "core/scene/item_tessellator.h"
+#include "core/scene/morph_to_sphere.h"
 #include "core/scene/read_scene.h"
 
 namespace burin::render {
@@ -36,7 +37,7 @@ std::size_t CountPatches(const scene::Scene& scene) {
 /// Calls `see` with the scene's items, surfaces included, at moments all over its animation.
 template <class See>
 void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animations,
-              const scene::TessellationOptions& tessellation, const See& see) {
+              const scene::TessellationOptions& tessellation, float morph, const See& see) {
   const double duration_s = scene::Duration(scene, animations);
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
   std::vector<scene::DrawItem> items;
@@ -45,6 +46,7 @@ void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animat
   for (int i = 0; i < samples; ++i) {
     const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
     scene::UpdateDrawItems(scene, pose, pose, items, tessellator.is_active());
+    scene::MorphToSphere(scene, morph, items);
     if (tessellator.is_active()) (void)tessellator.TessellateEvenly(factor, items);  // too many: the cage's bounds
     see(items);
   }
@@ -53,11 +55,11 @@ void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animat
 /// `fits_angle`: the automatic camera comes as near as this one orbit angle allows.
 scene::CameraChoice FrameWhole(const scene::Scene& scene, const scene::AnimationSelection& animations,
                                const scene::TessellationOptions& tessellation, std::pair<int, int> size,
-                               double orbit_deg, bool fits_angle) {
+                               double orbit_deg, bool fits_angle, float morph) {
   scene::CameraChoice choice;
   if (fits_angle) choice.reach.emplace();
   const std::array<glm::mat4, 2> maps = scene::AutoReach(size.first, size.second, orbit_deg);
-  OverTime(scene, animations, tessellation, [&](const std::vector<scene::DrawItem>& items) {
+  OverTime(scene, animations, tessellation, morph, [&](const std::vector<scene::DrawItem>& items) {
     choice.bounds.Extend(scene::ComputeBounds(scene, items));
     for (std::size_t i = 0; i < maps.size() && fits_angle; ++i) {
       (*choice.reach)[i].Extend(scene::ComputeBounds(scene, items, maps[i]));
@@ -74,12 +76,13 @@ class SceneSource final : public Source {
         tessellator_(scene_, TessellationOf(job)),
         turntable_(job.turntable_frames),
         orbit_deg_(job.orbit_deg.value_or(0.0)),
+        morph_(job.morph_to_sphere),
         size_(job.size.value_or(kDefaultSize)),
         rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
     const bool turns = job.orbit_deg.has_value() || turntable_ > 0;
-    camera_ =
-        FrameWhole(scene_, animations_, TessellationOf(job), size_, orbit_deg_, camera_node == scene::kNone && !turns);
+    camera_ = FrameWhole(scene_, animations_, TessellationOf(job), size_, orbit_deg_,
+                         camera_node == scene::kNone && !turns, morph_);
     camera_.camera_node = camera_node;
     const std::optional<float>& factor = job.tessellation.factor;
     if (factor && *factor != *TessellationOf(job).factor) {
@@ -111,6 +114,7 @@ class SceneSource final : public Source {
     now->pose = scene::EvaluatePose(scene_, animations_, Time(number));
     const scene::Pose previous = scene::EvaluatePose(scene_, animations_, Time(number - 1));
     scene::UpdateDrawItems(scene_, now->pose, previous, now->items, tessellator_.is_active());
+    scene::MorphToSphere(scene_, morph_, now->items);
     now->view = View(now->pose, number);
     now->previous_view = View(previous, number - 1);
     FillContext(*now);
@@ -193,6 +197,7 @@ class SceneSource final : public Source {
   SourceInfo info_;
   long turntable_;
   double orbit_deg_;
+  float morph_;
   std::pair<int, int> size_;
   video::FrameRate rate_;
 };

@@ -4,6 +4,8 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -21,6 +23,9 @@ Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene
   if (!renderer) return std::unexpected(renderer.error());
   std::unique_ptr<SceneStage> stage(new SceneStage(*std::move(renderer), options, pictures));
   stage->edges_ = overdraw::EdgeRenderer::Create(scene, options.edges);
+  auto translucency = translucency::TranslucencyRenderer::Create(scene, options.environment, options.translucency);
+  if (!translucency) return std::unexpected(translucency.error());
+  stage->translucency_ = *std::move(translucency);
   if (options.samples > 1) {
     auto supersampler = gbuffer::Supersampler::Create(options.samples);
     if (!supersampler) return std::unexpected(supersampler.error());
@@ -37,7 +42,18 @@ gbuffer::FrameInput SceneStage::Input(const SceneFrame& frame) const {
   input.items = frame.items;
   input.background = background_;
   input.edges = edges_.get();
+  input.translucency = translucency_.get();
   return input;
+}
+
+std::vector<std::string> SceneStage::TakeNotes() {
+  std::vector<std::string> notes = edges_->TakeNotes();
+  if (translucency_) std::ranges::move(translucency_->TakeNotes(), std::back_inserter(notes));
+  return notes;
+}
+
+std::vector<std::string> SceneStage::TakeWarnings() {
+  return translucency_ ? translucency_->TakeWarnings() : std::vector<std::string>();
 }
 
 Result<void> SceneStage::Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests) {

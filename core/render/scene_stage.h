@@ -13,6 +13,7 @@
 #include "core/overdraw/edge_renderer.h"
 #include "core/render/picture_stage.h"
 #include "core/render/source.h"
+#include "core/translucency/translucency_renderer.h"
 
 namespace burin::render {
 
@@ -21,6 +22,7 @@ struct SceneOptions {
   const image::Image* environment = nullptr;  ///< null: the built-in one
   glm::vec4 background{0.0f};                 ///< scene-linear with associated alpha
   overdraw::EdgeOptions edges;
+  translucency::TranslucencyOptions translucency;
   int samples = 1;  ///< --samples: of color, intensity and alpha, a pixel: 1, 4 or 16
 };
 
@@ -33,7 +35,8 @@ class SceneStage {
 
   [[nodiscard]] Result<void> Fill(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
   /// What is worth a line of --verbose, each once.
-  [[nodiscard]] std::vector<std::string> TakeNotes() { return edges_->TakeNotes(); }
+  [[nodiscard]] std::vector<std::string> TakeNotes();
+  [[nodiscard]] std::vector<std::string> TakeWarnings();
   /// The draws for custom attributes; valid while `frame` is and until the next Fill.
   [[nodiscard]] effect::SceneDraws Draws(const SceneFrame& frame);
 
@@ -46,6 +49,7 @@ class SceneStage {
 
   std::unique_ptr<gbuffer::SceneRenderer> renderer_;
   std::unique_ptr<overdraw::EdgeRenderer> edges_;
+  std::unique_ptr<translucency::TranslucencyRenderer> translucency_;  ///< null: nothing is translucent
   glm::vec4 background_;
   int samples_;
   PictureStage& pictures_;

@@ -28,8 +28,14 @@ constexpr std::size_t kMaxWarnings = 30;
 
 // What the readers here know. Others are ignored with a warning, or refused when required.
 constexpr std::string_view kKnownExtensions[] = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_lights_punctual",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 bool IsKnown(std::string_view extension) {

@@ -50,6 +50,33 @@ glm::vec2 Pair(const tinygltf::Value& object, const char* name, glm::vec2 otherw
   return {static_cast<float>(value.Get(0).GetNumberAsDouble()), static_cast<float>(value.Get(1).GetNumberAsDouble())};
 }
 
+/// White where it is missing or malformed, 0..1.
+glm::vec3 Color(const tinygltf::Value& object, const char* name) {
+  const tinygltf::Value& value = object.Get(std::string(name));
+  glm::vec3 color(1.0f);
+  if (!value.IsArray() || value.ArrayLen() != 3) return color;
+  for (int c = 0; c < 3; ++c) {
+    color[c] = std::clamp(static_cast<float>(value.Get(c).GetNumberAsDouble()), 0.0f, 1.0f);
+  }
+  return color;
+}
+
+/// A string as it is; an object's members as "key:values" with semicolons between.
+std::string MediumText(const tinygltf::Value& value) {
+  if (value.IsString()) return value.Get<std::string>();
+  if (!value.IsObject()) return "(neither a string nor an object)";
+  std::string text;
+  for (const std::string& key : value.Keys()) {
+    const tinygltf::Value& member = value.Get(key);
+    std::string numbers = member.IsNumber() ? fmt::format("{}", member.GetNumberAsDouble()) : "";
+    for (int i = 0; member.IsArray() && i < static_cast<int>(member.ArrayLen()); ++i) {
+      numbers += fmt::format("{}{}", i == 0 ? "" : ",", member.Get(i).GetNumberAsDouble());
+    }
+    text += fmt::format("{}{}:{}", text.empty() ? "" : ";", key, numbers);
+  }
+  return text;
+}
+
 /// KHR_texture_transform: translation * rotation * scale. The rotation is counter-clockwise as the image is seen, v
 /// down.
 glm::mat3 UvTransform(const tinygltf::Value& extension) {
@@ -103,6 +130,22 @@ class MaterialReader {
     }
     if (const auto it = source.extensions.find("KHR_materials_ior"); it != source.extensions.end()) {
       material.ior = Number(it->second, "ior", 1.5f);
+    }
+    ReadDiffusion(source, material);
+    if (source.extras.IsObject() && source.extras.Has("translucency")) {
+      material.translucency = MediumText(source.extras.Get("translucency"));
+    }
+  }
+
+  static void ReadDiffusion(const tinygltf::Material& source, Material& material) {
+    if (const auto it = source.extensions.find("KHR_materials_diffuse_transmission"); it != source.extensions.end()) {
+      material.diffuse_transmission = std::clamp(Number(it->second, "diffuseTransmissionFactor", 0.0f), 0.0f, 1.0f);
+      material.diffuse_transmission_color = Color(it->second, "diffuseTransmissionColorFactor");
+    }
+    if (const auto it = source.extensions.find("KHR_materials_volume"); it != source.extensions.end()) {
+      material.attenuation_color = Color(it->second, "attenuationColor");
+      const float distance = Number(it->second, "attenuationDistance", material.attenuation_distance);
+      if (distance > 0.0f) material.attenuation_distance = distance;
     }
   }
 

@@ -152,6 +152,10 @@ constexpr Rule kTextureTransform[] = {{"offset", kNumbers, false, {}, -kInfinity
                                       {"texCoord", kInteger, false, {}, 0, kIntMax}};
 constexpr Rule kEmissiveStrength[] = {{"emissiveStrength", kNumber, false, {}, 0}};
 constexpr Rule kIor[] = {{"ior", kNumber, false, {}, 0}};
+constexpr Rule kDiffuseTransmission[] = {{"diffuseTransmissionFactor", kNumber, false, {}, 0},
+                                         {"diffuseTransmissionColorFactor", kNumbers, false, {}, 0, kInfinity, 3}};
+constexpr Rule kVolume[] = {{"attenuationDistance", kNumber, false, {}, kPositive},
+                            {"attenuationColor", kNumbers, false, {}, 0, kInfinity, 3}};
 
 constexpr std::pair<std::string_view, std::span<const Rule>> kTypes[] = {
     {"root", kRoot},
@@ -188,6 +192,8 @@ constexpr std::pair<std::string_view, std::span<const Rule>> kTypes[] = {
     {"KHR_texture_transform", kTextureTransform},
     {"KHR_materials_emissive_strength", kEmissiveStrength},
     {"KHR_materials_ior", kIor},
+    {"KHR_materials_diffuse_transmission", kDiffuseTransmission},
+    {"KHR_materials_volume", kVolume},
 };
 
 }  // namespace

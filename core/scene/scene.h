@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -160,6 +161,12 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;
   float ior = 1.5f;
+  /// extras.translucency: a medium, in the words of core/translucency/medium_spec.h; empty: none.
+  std::string translucency;
+  float diffuse_transmission = 0.0f;  ///< KHR_materials_diffuse_transmission
+  glm::vec3 diffuse_transmission_color{1.0f};
+  glm::vec3 attenuation_color{1.0f};                                    ///< KHR_materials_volume
+  float attenuation_distance = std::numeric_limits<float>::infinity();  ///< scene units
 };
 
 struct Scene {

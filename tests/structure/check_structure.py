@@ -25,15 +25,17 @@ ALLOWED = {
     "core/effect": {"core/base", "core/image", "core/gl", "fx_parser"},
     "core/overdraw": {"core/base", "core/image", "core/gl", "core/scene", "core/geometry", "core/tessellation",
                       "core/gbuffer"},
+    "core/translucency": {"core/base", "core/image", "core/gl", "core/scene", "core/geometry", "core/tessellation",
+                          "core/gbuffer"},
     "core/render": {"core/base", "core/image", "core/video", "core/gl", "core/scene", "core/geometry", "core/tessellation",
-                    "core/gbuffer", "core/overdraw", "core/effect", "fx_parser"},
+                    "core/gbuffer", "core/overdraw", "core/translucency", "core/effect", "fx_parser"},
     "cli": {"core/render", "core/base", "fx_parser"},   # fx_parser: diagnostics as JSON, near names
 }
 # Only these rooms may name these libraries, and only in .cpp files.
 THIRD_PARTY_HOMES = {
     "OpenImageIO/": {"core/image"}, "OpenEXR/": {"core/image"}, "Imath/": {"core/image"}, "OpenColorIO/": {"core/image"},
     "opencv2/": {"core/video"}, "tiny_gltf.h": {"core/scene"}, "opensubdiv/": {"core/geometry"}, "CLI/": {"cli"},
-    "epoxy/": {"core/gl", "core/gbuffer", "core/overdraw", "core/effect", "core/render"},
+    "epoxy/": {"core/gl", "core/gbuffer", "core/overdraw", "core/translucency", "core/effect", "core/render"},
 }
 HEADER_THIRD_PARTIES = ("glm/",)   # the one vector type, allowed in headers
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)

@@ -52,7 +52,7 @@ TEST(AttributeTable, NamesAreFoundInAnyCase) {
 }
 
 TEST(AttributeTable, EveryAttributeIsThereOnce) {
-  EXPECT_EQ(AllAttributes().size(), 29u);
+  EXPECT_EQ(AllAttributes().size(), 33u);
   std::set<std::string_view> names;
   std::set<std::string_view> channels;
   for (const AttributeInfo& info : AllAttributes()) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/translucency/body_maps.h"
+
+#include "core/translucency/pass_target.h"
+
+namespace burin::translucency {
+namespace {
+
+Result<void> Take(gl::Texture& texture, Result<gl::Texture> made) {
+  if (!made) return std::unexpected(made.error());
+  texture = *std::move(made);
+  return {};
+}
+
+}  // namespace
+
+Result<void> BodyMaps::Ensure(const Quality& quality, bool has_parts) {
+  const int s = quality.face_texels;
+  const int r = s >> quality.receiver_shift;
+  if (face_depth.height() != s) {
+    if (auto good = Take(face_depth, CreateDepthTexture(6 * s, s, "translucency: depth of faces")); !good) return good;
+    if (auto good = Take(sources, CreateBitsTexture(6 * s, 4 * s, "translucency: sources")); !good) return good;
+    depth_target = CreateTarget({}, &face_depth, "translucency: depth of faces");
+    pyramid_target = CreateTarget({&sources}, nullptr, "translucency: sources");
+    receivers = {};
+  }
+  const bool lacks_parts = has_parts && !near_receivers;
+  if (receivers.height() == 2 * r && !lacks_parts) return {};
+  if (auto good = Take(receivers, CreateFloatTexture(6 * r, 2 * r, "translucency: radiosity")); !good) return good;
+  if (has_parts || near_receivers) {
+    auto good = Take(near_receivers, CreateFloatTexture(6 * r, 2 * r, "translucency: radiosity from nearby"));
+    if (!good) return good;
+  }
+  receiver_target =
+      CreateTarget({&receivers, near_receivers ? &near_receivers : nullptr}, nullptr, "translucency: radiosity");
+  return {};
+}
+
+Result<void> SourceSums::Ensure(int face_texels) {
+  if (light.width() >= 6 * face_texels) return {};
+  const int s = face_texels;
+  if (auto good = Take(light, CreateFloatTexture(6 * s, 2 * s, "translucency: sums of light")); !good) return good;
+  if (auto good = Take(place, CreateFloatTexture(6 * s, 2 * s, "translucency: sums of places")); !good) return good;
+  target = CreateTarget({&light, &place}, nullptr, "translucency: sums");
+  return {};
+}
+
+}  // namespace burin::translucency

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/translucency/medium_spec.h"
+#include "core/translucency/scattering_quality.h"
+
+namespace burin::translucency {
+
+struct TranslucencyOptions {
+  std::vector<Assignment> assignments;
+  Scattering scattering = Scattering::kFull;
+  int paper_kernel = 5;     ///< kPaper: samples across its kernel
+  double unit_mm = 1000.0;  ///< millimetres a scene unit: glTF's is the metre
+};
+
+}  // namespace burin::translucency
