@@ -298,6 +298,14 @@ constexpr OptionSpec kTable[] = {
        s.json = true;
        return Result<void>();
      }},
+    {"glsl", 0, "FOLDER", kCheck, kMessages,
+     "Write the GLSL of every pass into this folder, as EFFECT.TECHNIQUE.PASS.vert and .frag. It is made if it is not "
+     "there.",
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.glsl_folder = v;
+       return Result<void>();
+     }},
     {"dot", 0, "", kInfo, kMessages, "Write the effect's data flow as a Graphviz graph to stdout.", "", Repeat::kLast,
      [](Settings& s, const std::string&) {
        s.dot = true;

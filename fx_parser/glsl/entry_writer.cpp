@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fx_parser/glsl/interface.h"
+#include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
 
 namespace burin::fx {
@@ -149,6 +150,9 @@ std::string EntryWriter::Write() {
         bindings[parameter.get()] = binding;
       } else {
         arguments.push_back(main_.ExpressionAs(*value, parameter->type));
+        // Not where the function writes to it.
+        if (auto known = stage_.is_written(*parameter) ? std::nullopt : EvaluateAs(*value, parameter->type))
+          stage_.SetConstant(*parameter, *std::move(known));
       }
       continue;
     }
