@@ -177,8 +177,8 @@ std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) co
   return found->second.id();
 }
 
-Result<const gl::Texture*> TextureStore::DepthStencil(glm::ivec2 size) {
-  gl::Texture& buffer = depth_stencils_[{size.x, size.y}];
+Result<const gl::Texture*> TextureStore::DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner) {
+  gl::Texture& buffer = depth_stencils_[{size.x, size.y, owner}];
   if (!buffer) {
     auto created = gl::CreateDepthStencil(size.x, size.y, fmt::format("depth-stencil {}x{}", size.x, size.y));
     if (!created) return std::unexpected(created.error());

@@ -47,10 +47,19 @@ struct FileRole {
   std::string file;         ///< of ResourceName / name / source / texture annotations; empty: none named
 };
 
+/// A texture of the semantic RENDERCOLORTARGET or RENDERDEPTHSTENCILTARGET: a target of scripts.
+struct ScriptTargetRole {
+  bool is_depth_stencil = false;
+  double width_ratio = 1.0;   ///< against the frame
+  double height_ratio = 1.0;
+  int width = 0;              ///< in pixels; 0: by the ratio
+  int height = 0;
+};
+
 struct Texture {
   std::string name;
   Dimension dimension = Dimension::k2D;
-  std::variant<FileRole, AttributeRole, PassResultRole> role;
+  std::variant<FileRole, AttributeRole, PassResultRole, ScriptTargetRole> role;
   Format format = Format::kA8R8G8B8;   ///< of attributes and pass results
   double scale = 1.0;                  ///< against the frame
   std::string semantic;
@@ -87,13 +96,33 @@ struct Pass {
   ShaderProgram program;
   /// Indices in Effect::textures of this pass's targets, by target number; empty: it draws into the frame.
   std::vector<std::size_t> targets;
+  /// Without a script: the vertex shader takes vertices through the projection, so that it means a scene's geometry.
+  bool projects = false;
   Range range;
+};
+
+/// One step of a technique's script, the scripts of its passes put in where it runs them.
+struct ScriptStep {
+  enum class Action {
+    kColorTarget, kDepthStencilTarget,             ///< `texture`, or the frame's own
+    kSetClearColor, kSetClearDepth, kSetClearStencil,   ///< `parameter`
+    kClearColor, kClearDepth, kClearStencil,
+    kDrawGeometry, kDrawBuffer,                    ///< `pass`: over the scene's geometry, over the whole target
+    kDrawSource,                                   ///< ScriptExternal: the scene or picture as others draw it
+    kLoop, kLoopIndex, kLoopEnd                    ///< `parameter`: how often; what gets the turn's number
+  };
+  Action action{};
+  int index = 0;                            ///< of a colour target
+  std::size_t pass = 0;                     ///< in Technique::passes
+  std::optional<std::size_t> texture;
+  std::optional<std::size_t> parameter;
 };
 
 struct Technique {
   std::string name;
   std::vector<EffectAnnotation> annotations;
   std::vector<Pass> passes;
+  std::vector<ScriptStep> script;           ///< empty: its passes in order
   std::string custom_attribute;             ///< of a technique named GBA<attribute>: lower case; else empty
   std::vector<std::string> unsupported;     ///< why this host cannot run it ("pass P0: asm shaders"); empty: it can
   Range range;
@@ -108,6 +137,8 @@ struct Effect {
   std::vector<Technique> techniques;
   /// True when any texture has one of the extension's names: texel meets pixel with no half-pixel offset.
   bool uses_extension = false;
+  /// Indices of the techniques that the file's own script names, the first choice first; empty: in the file's order.
+  std::vector<std::size_t> preferred_techniques;
   std::shared_ptr<const ast::Module> module;
 };
 

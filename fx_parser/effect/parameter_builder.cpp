@@ -23,6 +23,7 @@ void EffectBuilder::Build(bool write_programs) {
   BuildTextures();
   BuildSamplers();
   BuildTechniques();
+  BuildScripts();
   ResolveDimensions();
 }
 

@@ -63,10 +63,22 @@ void Collect(const StageWriter& stage, ProgramText& program) {
   for (const auto& [binding, dimension] : stage.samplers()) program.dimensions.emplace(binding, dimension);
 }
 
+/// Without a pixel shader: the diffuse colour, as Direct3D's texture stages give it where they have no texture.
+void WriteDiffuse(const ProgramRequest& request, ProgramText& program, std::vector<Semantic>& varyings) {
+  const Semantic diffuse{"COLOR", 0};
+  varyings.push_back(diffuse);
+  program.targets = 1;
+  std::string main = "  burin_out0 = " + VaryingName(diffuse) + ";\n";
+  if (request.alpha_test) main += "  if (!burin_alpha_passes(burin_out0.a)) discard;\n";
+  program.fragment_glsl = kHeader + VaryingDeclarations(varyings, "in") +
+                          "layout(location = 0) out vec4 burin_out0;\n" + (request.alpha_test ? AlphaTest() : "") +
+                          "void main() {\n" + main + "}\n";
+}
+
 bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramText& program,
                    std::vector<Semantic>& varyings) {
   if (request.fragment.function == nullptr) {
-    program.fragment_glsl = std::string(kHeader) + "void main() {\n}\n";
+    WriteDiffuse(request, program, varyings);
     return true;
   }
   FragmentEntry entry(stage, request.fragment);
@@ -123,7 +135,10 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
     }
     inputs = entry.inputs;
     for (const Semantic& varying : varyings) {
-      if (!entry.written.contains(varying.Key())) main += "  " + VaryingName(varying) + " = vec4(0.0);\n";
+      if (entry.written.contains(varying.Key())) continue;
+      // The fixed pixel stage takes white for a diffuse colour that no one gives.
+      const bool is_fixed = request.fragment.function == nullptr;
+      main += "  " + VaryingName(varying) + (is_fixed ? " = vec4(1.0);\n" : " = vec4(0.0);\n");
     }
   }
   std::string text = kHeader + InputDeclarations(inputs) + VaryingDeclarations(varyings, "out");
