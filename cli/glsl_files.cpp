@@ -43,8 +43,8 @@ Result<void> GlslFiles::WriteFile(const std::string& name, const std::string& te
   auto file = base::AtomicFile::Create((std::filesystem::path(folder_) / name).string());
   if (!file) return std::unexpected(file.error());
   if (const int error = base::WriteAll(file->descriptor(), std::as_bytes(std::span(text))); error != 0) {
-    return Fail(ErrorKind::kFailed, fmt::format("cannot write '{}/{}': {}", folder_, name,
-                                                std::generic_category().message(error)));
+    return Fail(ErrorKind::kFailed,
+                fmt::format("cannot write '{}/{}': {}", folder_, name, std::generic_category().message(error)));
   }
   return file->Commit();
 }
@@ -56,8 +56,8 @@ Result<void> GlslFiles::Write(const fx::Effect& effect) {
     for (std::size_t p = 0; p < technique.passes.size(); ++p) {
       const fx::ShaderProgram& program = technique.passes[p].program;
       if (program.vertex_glsl.empty()) continue;
-      const std::string stem = Unique(
-          fmt::format("{}.{}.{}", effect_part, Part(technique.name, t), Part(technique.passes[p].name, p)));
+      const std::string stem =
+          Unique(fmt::format("{}.{}.{}", effect_part, Part(technique.name, t), Part(technique.passes[p].name, p)));
       if (auto written = WriteFile(stem + ".vert", program.vertex_glsl); !written) return written;
       if (program.fragment_glsl.empty()) continue;
       if (auto written = WriteFile(stem + ".frag", program.fragment_glsl); !written) return written;

@@ -228,6 +228,12 @@ constexpr OptionSpec kTable[] = {
      "several times; burin info EFFECT lists the parameters.",
      "", Repeat::kCollect,
      [](Settings& s, const std::string& v) { return Append(s.job.parameters, ParseAssignment("param", v, nullptr)); }},
+    {"texture", 0, "NAME=FILE", kRender, kEffect,
+     "Give a texture of the effect this picture instead of the one that it names. Can be given several times.", "",
+     Repeat::kCollect,
+     [](Settings& s, const std::string& v) {
+       return Append(s.job.parameters, ParseAssignment("texture", v, nullptr));
+     }},
     {"technique", 0, "NAME", kRender | kInfo, kEffect,
      "Use this technique. Otherwise the first that this device can run.", "", Repeat::kLast,
      [](Settings& s, const std::string& v) {

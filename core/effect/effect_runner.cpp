@@ -8,12 +8,14 @@
 #include <variant>
 
 #include "core/effect/parameter_override.h"
+#include "core/effect/parameter_range.h"
 #include "core/effect/parameter_values.h"
 #include "core/effect/pass_program.h"
 #include "core/effect/pass_step.h"
+#include "core/effect/procedural_texture.h"
 #include "core/effect/schedule.h"
-#include "core/effect/target_step.h"
 #include "core/effect/target_format.h"
+#include "core/effect/target_step.h"
 #include "core/effect/technique_choice.h"
 #include "core/effect/texture_store.h"
 #include "core/gl/fullscreen_quad.h"
@@ -58,8 +60,8 @@ class Runner final : public EffectRunner {
   gl::TextureHandle frame_srgb_;
   std::optional<TextureStore> textures_;
   std::optional<ParameterValues> values_;
-  std::vector<std::variant<PassStep, TargetStep>> steps_;   ///< one for each of the schedule's
-  gl::Texture source_;                                      ///< what ScriptExternal draws; a caller fills it
+  std::vector<std::variant<PassStep, TargetStep>> steps_;  ///< one for each of the schedule's
+  gl::Texture source_;                                     ///< what ScriptExternal draws; a caller fills it
   gl::FramebufferHandle scratch_framebuffer_;
   std::vector<SceneDraw> draws_;
 };
@@ -80,10 +82,16 @@ Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect>
 Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   auto overrides = ParseOverrides(*effect_, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
+  warnings_ = RangeWarnings(*effect_, *overrides);
   auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options.load_texture, warnings_);
   if (!textures) return std::unexpected(textures.error());
   textures_ = std::move(*textures);
   values_.emplace(*effect_, *overrides, schedule_.texture_sizes, warnings_);
+  for (const std::size_t index : schedule_.procedural) {
+    auto filled = FillProceduralTexture(*effect_, index, *values_);
+    if (!filled) return std::unexpected(filled.error());
+    textures_->SetProcedural(index, *std::move(filled));
+  }
 
   frame_encoding_ = FrameEncoding(*effect_, choice_.technique);
   const gl::Format& format =
@@ -93,8 +101,8 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   if (!frame) return std::unexpected(frame.error());
   frame_ = std::move(*frame);
   if (schedule_.copies_source) {
-    auto source = gl::Texture::Create(format, options.width, options.height, 1,
-                                      fmt::format("{}: the source", effect_->path));
+    auto source =
+        gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the source", effect_->path));
     if (!source) return std::unexpected(source.error());
     source_ = std::move(*source);
   }
@@ -259,8 +267,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
     return value.numbers.empty() ? 0.0 : value.numbers[0];
   };
   while (true) {
-    Schedule schedule =
-        MakeSchedule(*effect, choice->technique, {options.width, options.height}, schedule_options);
+    Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height}, schedule_options);
     auto programs = CompilePrograms(*effect, schedule);
     if (programs) {
       auto runner = Runner::Create(effect, options, *choice, std::move(schedule), std::move(*programs));

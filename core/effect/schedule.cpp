@@ -63,6 +63,8 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
       schedule.pass_results.push_back(index);
     } else if (const auto* target = std::get_if<fx::ScriptTargetRole>(&role)) {
       if (!target->is_depth_stencil) schedule.pass_results.push_back(index);
+    } else if (std::holds_alternative<fx::ProceduralRole>(role)) {
+      schedule.procedural.push_back(index);
     } else {
       schedule.files.push_back(index);
     }
@@ -75,8 +77,7 @@ void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std
     Step step;
     step.technique = technique;
     step.pass = pass;
-    step.draws_scene = custom_target.has_value() ||
-                       (has_scene && effect.techniques[technique].passes[pass].projects);
+    step.draws_scene = custom_target.has_value() || (has_scene && effect.techniques[technique].passes[pass].projects);
     if (custom_target) {
       step.targets = {*custom_target};
     } else {
@@ -176,6 +177,7 @@ void PlanDepthStencil(const fx::Effect& effect, Schedule& schedule) {
 // Those of files are known when they are loaded.
 glm::ivec2 SizeOf(const fx::Texture& texture, glm::ivec2 frame) {
   if (std::holds_alternative<fx::FileRole>(texture.role)) return glm::ivec2(1);
+  if (const auto* made = std::get_if<fx::ProceduralRole>(&texture.role)) return {made->width, made->height};
   const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role);
   if (target == nullptr) return ScaledSize(texture.scale, frame);
   if (target->width > 0) return {target->width, target->height};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts of NVIDIA's Standard Annotations and Semantics 0.8, as FX Composer runs them. What is not cleared by the script
-// is cleared where a frame first draws into it, since nothing is carried from one frame to the next.
+// Scripts of NVIDIA's Standard Annotations and Semantics 0.8, as FX Composer runs them. What is not cleared by the
+// script is cleared where a frame first draws into it, since nothing is carried from one frame to the next.
 #include "core/effect/script_schedule.h"
 
 #include <algorithm>
@@ -55,8 +55,8 @@ class ScriptRun {
   Schedule& schedule_;
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
-  ClearStep clear_;                        // values as set; what to clear only until it is done
-  std::vector<double> turns_;              // of the loops around, innermost last
+  ClearStep clear_;            // values as set; what to clear only until it is done
+  std::vector<double> turns_;  // of the loops around, innermost last
   std::vector<LoopTurn> loop_turns_;
   std::set<std::size_t> touched_;
   std::set<std::pair<std::size_t, std::pair<int, int>>> depth_touched_;
@@ -101,15 +101,16 @@ void ScriptRun::RunRange(std::size_t begin, std::size_t end) {
 }
 
 void ScriptRun::RunAction(const fx::ScriptStep& step) {
-  const bool clears = step.action == Action::kClearColor || step.action == Action::kClearDepth ||
-                      step.action == Action::kClearStencil;
+  const bool clears =
+      step.action == Action::kClearColor || step.action == Action::kClearDepth || step.action == Action::kClearStencil;
   const bool sets = step.action == Action::kSetClearColor || step.action == Action::kSetClearDepth ||
                     step.action == Action::kSetClearStencil;
   // Clears that follow each other are one.
   if (!clears && !sets && (clear_.color || clear_.depth || clear_.stencil)) AddClear();
   switch (step.action) {
     case Action::kColorTarget:
-      if (static_cast<std::size_t>(step.index) < kColorTargets) colors_[static_cast<std::size_t>(step.index)] = step.texture;
+      if (static_cast<std::size_t>(step.index) < kColorTargets)
+        colors_[static_cast<std::size_t>(step.index)] = step.texture;
       return;
     case Action::kDepthStencilTarget:
       depth_stencil_ = step.texture;

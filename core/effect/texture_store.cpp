@@ -166,6 +166,7 @@ bool TextureStore::AddSrgbView(std::size_t index) {
 std::uint32_t TextureStore::srgb_view(std::size_t index) const { return slots_[index].srgb.id(); }
 
 std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) const {
+  if (sampler.texture && slots_[*sampler.texture].procedural) return slots_[*sampler.texture].procedural.id();
   const bool is_2d = sampler.dimension == fx::Dimension::k2D || sampler.dimension == fx::Dimension::kUnknown;
   if (sampler.texture && is_2d) {
     const Slot& slot = slots_[*sampler.texture];

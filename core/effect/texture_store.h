@@ -38,6 +38,8 @@ class TextureStore {
   /// Makes the views that `ForSampler(..., true)` and sRGB writes need; false when the format has none.
   bool AddSrgbView(std::size_t index);
   [[nodiscard]] std::uint32_t srgb_view(std::size_t index) const;
+  /// Of a texture that a function has filled.
+  void SetProcedural(std::size_t index, gl::TextureHandle texture) { slots_[index].procedural = std::move(texture); }
   /// One for every size and, where a script has buffers of its own, for each of its textures.
   [[nodiscard]] Result<const gl::Texture*> DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner);
 
@@ -45,6 +47,7 @@ class TextureStore {
   struct Slot {
     gl::Texture texture;
     gl::TextureHandle srgb;
+    gl::TextureHandle procedural;   ///< of any dimension
   };
   [[nodiscard]] Result<void> AddTarget(const fx::Effect& effect, std::size_t index, glm::ivec2 size);
   [[nodiscard]] Result<void> AddFile(const fx::Effect& effect, std::size_t index, const Overrides& overrides,

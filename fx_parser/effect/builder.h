@@ -48,6 +48,8 @@ class EffectBuilder {
   void BuildTextures();
   void BuildTexture(ast::Variable& variable);
   void CheckPassTargets();
+  void BuildProceduralTextures();
+  void BuildProceduralTexture(const ast::Variable& variable, Texture& texture);
   // samplers
   void BuildSamplers();
   void BuildSampler(const ast::Variable& variable, int element, ast::Expression* initializer);

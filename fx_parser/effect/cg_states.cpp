@@ -17,9 +17,8 @@ namespace {
 using enum RenderState;
 
 // OpenGL's increments stop at the end of the range, Direct3D's INCR wraps.
-constexpr Enumerant kStencilOps[] = {{"keep", 1},   {"zero", 2}, {"replace", 3},  {"incr", 4},
-                                     {"decr", 5},   {"invert", 6}, {"incrwrap", 7}, {"decrwrap", 8},
-                                     {"incrsat", 4}, {"decrsat", 5}};
+constexpr Enumerant kStencilOps[] = {{"keep", 1},   {"zero", 2},     {"replace", 3},  {"incr", 4},    {"decr", 5},
+                                     {"invert", 6}, {"incrwrap", 7}, {"decrwrap", 8}, {"incrsat", 4}, {"decrsat", 5}};
 constexpr Enumerant kFills[] = {{"point", 1}, {"line", 2}, {"fill", 3}, {"wireframe", 2}, {"solid", 3}};
 constexpr Enumerant kFaces[] = {{"front", 0}, {"back", 1}, {"frontandback", 2}};
 constexpr Enumerant kWindings[] = {{"cw", 1}, {"ccw", 0}};
@@ -44,7 +43,7 @@ Value Integer(double number) { return Value{ScalarType(Scalar::kInt), {number}, 
 struct Compound {
   std::string_view name;
   std::array<std::optional<RenderState>, 4> parts;
-  std::span<const Enumerant> values;   ///< of all parts; empty: of the states
+  std::span<const Enumerant> values;  ///< of all parts; empty: of the states
 };
 constexpr Compound kCompounds[] = {
     {"BlendFunc", {kSrcBlend, kDestBlend}, {}},
@@ -71,8 +70,7 @@ const StateInfo<RenderState>& InfoOf(RenderState state) {
 
 }  // namespace
 
-void EffectBuilder::SetState(Pass& pass, RenderState state, ast::Expression& value,
-                             std::span<const Enumerant> values) {
+void EffectBuilder::SetState(Pass& pass, RenderState state, ast::Expression& value, std::span<const Enumerant> values) {
   const auto& info = InfoOf(state);
   auto resolved = ResolveState(value, std::string(info.name), static_cast<int>(info.kind),
                                values.empty() ? info.values : values, ast::StateAssignment::Form::kPlain);
@@ -128,7 +126,7 @@ bool EffectBuilder::BuildCgState(ast::StateAssignment& assignment, Pass& pass, P
     SetState(pass, kBlendFactor, *assignment.value);
     return true;
   }
-  if (is("StencilMask") && LowerCase(effect_.path).ends_with(".cgfx")) {   // OpenGL's is what may be written
+  if (is("StencilMask") && LowerCase(effect_.path).ends_with(".cgfx")) {  // OpenGL's is what may be written
     SetState(pass, kStencilWriteMask, *assignment.value);
     return true;
   }
@@ -147,7 +145,8 @@ bool EffectBuilder::BuildCgState(ast::StateAssignment& assignment, Pass& pass, P
   return false;
 }
 
-// OpenGL culls nothing unless it is told to; what it culls are back faces, the clockwise ones, unless it is told otherwise.
+// OpenGL culls nothing unless it is told to; what it culls are back faces, the clockwise ones, unless it is told
+// otherwise.
 void EffectBuilder::FinishCgCulling(Pass& pass, const PassShaders& shaders) {
   constexpr int kNoCulling = 1;
   constexpr int kClockwise = 2;

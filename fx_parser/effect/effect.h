@@ -32,6 +32,20 @@ struct Parameter {
   Range range;
 };
 
+/// The two stages of one pass, emitted as a pair.
+struct ShaderProgram {
+  std::string vertex_glsl;
+  std::string fragment_glsl;
+  std::string vertex_entry;                 ///< "VSEdgeFilter", empty: the pass-through
+  std::string fragment_entry;               ///< empty: the pass has no pixel shader (depth and stencil only)
+  std::vector<std::size_t> parameters;      ///< indices in Effect::parameters that either stage reads
+  std::vector<std::size_t> samplers;        ///< indices in Effect::samplers, in the order of their texture units
+  std::vector<std::string> vertex_inputs;   ///< semantics read: "POSITION0", "TEXCOORD3"
+  int targets = 1;                          ///< fragment outputs written: highest index + 1
+  bool writes_depth = false;
+  bool alpha_test = false;                  ///< the text reads kUniformAlphaTest
+};
+
 /// GBA<attribute>_<FORMAT>[_S<scale>]
 struct AttributeRole {
   std::string attribute;    ///< lower case, a name of Options::attributes, or that of a technique GBA<attribute>
@@ -56,10 +70,17 @@ struct ScriptTargetRole {
   int height = 0;
 };
 
+/// A texture that a function of the effect fills (annotation `function`), once, before the first frame.
+struct ProceduralRole {
+  std::string function;
+  int width = 0, height = 0, depth = 0;   ///< texels; depth of 3D textures only
+  ShaderProgram program;                  ///< one slice or face: kUniformTexel says which
+};
+
 struct Texture {
   std::string name;
   Dimension dimension = Dimension::k2D;
-  std::variant<FileRole, AttributeRole, PassResultRole, ScriptTargetRole> role;
+  std::variant<FileRole, AttributeRole, PassResultRole, ScriptTargetRole, ProceduralRole> role;
   Format format = Format::kA8R8G8B8;   ///< of attributes and pass results
   double scale = 1.0;                  ///< against the frame
   std::string semantic;
@@ -73,20 +94,6 @@ struct Sampler {
   std::optional<std::size_t> texture;  ///< index in Effect::textures; empty: none bound
   std::vector<SamplerState> states;    ///< only those that the file sets, in order
   Range range;
-};
-
-/// The two stages of one pass, emitted as a pair.
-struct ShaderProgram {
-  std::string vertex_glsl;
-  std::string fragment_glsl;
-  std::string vertex_entry;                 ///< "VSEdgeFilter", empty: the pass-through
-  std::string fragment_entry;               ///< empty: the pass has no pixel shader (depth and stencil only)
-  std::vector<std::size_t> parameters;      ///< indices in Effect::parameters that either stage reads
-  std::vector<std::size_t> samplers;        ///< indices in Effect::samplers, in the order of their texture units
-  std::vector<std::string> vertex_inputs;   ///< semantics read: "POSITION0", "TEXCOORD3"
-  int targets = 1;                          ///< fragment outputs written: highest index + 1
-  bool writes_depth = false;
-  bool alpha_test = false;                  ///< the text reads kUniformAlphaTest
 };
 
 struct Pass {

@@ -25,6 +25,7 @@ void EffectBuilder::Build(bool write_programs) {
   BuildTechniques();
   BuildScripts();
   ResolveDimensions();
+  BuildProceduralTextures();
 }
 
 std::vector<EffectAnnotation> EffectBuilder::BuildAnnotations(std::vector<ast::Annotation>& annotations) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts as steps over the effect's own textures, parameters and passes. What one of them names and the file has not is
-// left out with a warning: the rest of the script may well be all that the technique needs.
+// Scripts as steps over the effect's own textures, parameters and passes. What one of them names and the file has not
+// is left out with a warning: the rest of the script may well be all that the technique needs.
 
 #include <algorithm>
 
@@ -101,7 +101,8 @@ void EffectBuilder::AddScriptCommand(const ScriptCommand& command, const ast::Te
         const auto* role =
             step.texture ? std::get_if<ScriptTargetRole>(&effect_.textures[*step.texture].role) : nullptr;
         if (role == nullptr || role->is_depth_stencil != is_depth) {
-          return WarnScript(range, command.name + " names '" + command.value + "', which is no texture of the semantic " +
+          return WarnScript(range, command.name + " names '" + command.value +
+                                       "', which is no texture of the semantic " +
                                        (is_depth ? "RENDERDEPTHSTENCILTARGET" : "RENDERCOLORTARGET"));
         }
       }
@@ -123,7 +124,7 @@ void EffectBuilder::AddScriptCommand(const ScriptCommand& command, const ast::Te
     case ScriptVerb::kLoopByCount: {
       ScriptStep step = Step(Action::kLoop);
       step.parameter = FindParameter(command.value, command.name, range);
-      return script.push_back(step);   // without a parameter: once
+      return script.push_back(step);  // without a parameter: once
     }
     case ScriptVerb::kLoopGetIndex:
       return with_parameter(Action::kLoopIndex);
@@ -167,9 +168,9 @@ void EffectBuilder::BuildScript(const ast::Technique& source, Technique& techniq
   const Range range = ScriptRange(source.annotations, technique.range);
   for (const ScriptCommand& command : ParseScript(text)) {
     if (technique.script.size() > kMaxScriptSteps) {
-      diagnostics_.Error(range, "B1021",
-                         "script: technique '" + technique.name + "' runs more than " +
-                             std::to_string(kMaxScriptSteps) + " steps");
+      diagnostics_.Error(
+          range, "B1021",
+          "script: technique '" + technique.name + "' runs more than " + std::to_string(kMaxScriptSteps) + " steps");
       return;
     }
     AddScriptCommand(command, source, technique, std::nullopt, range);

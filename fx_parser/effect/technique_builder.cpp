@@ -27,6 +27,12 @@ bool SetsAlphaTest(const Pass& pass) {
   return sets;
 }
 
+bool IsFalse(const ast::Expression& value) {
+  if (const auto* literal = std::get_if<ast::BoolLiteral>(&value.node)) return !literal->value;
+  const auto* number = std::get_if<ast::IntLiteral>(&value.node);
+  return number != nullptr && number->value == 0;
+}
+
 /// Whether a texture stage's state leaves the diffuse colour as the result: SelectArg1 of Diffuse or Current, Disable.
 bool IsDiffuseStage(const ast::StateAssignment& state) {
   const auto* value = std::get_if<ast::Name>(&state.value->node);
@@ -74,7 +80,8 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
     case OtherState::kHarmless:
       return;
     case OtherState::kFixedVertex:
-      shaders.fixed_vertex = true;
+      // Lighting = false and the like ask for what a shader does anyway.
+      shaders.fixed_vertex = shaders.fixed_vertex || !IsFalse(*assignment.value);
       return;
     case OtherState::kFixedPixel:
       shaders.fixed_pixel = true;
@@ -100,7 +107,8 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
   if (has_vertex && !shaders.vertex->unsupported.empty()) unsupported.push_back(shaders.vertex->unsupported);
   if (has_pixel && !shaders.pixel->unsupported.empty()) unsupported.push_back(shaders.pixel->unsupported);
   if (shaders.fixed_vertex && !has_vertex) unsupported.push_back("fixed-function vertex states");
-  if (shaders.texture_stages && !has_pixel) unsupported.push_back("fixed-function texture stages");
+  if (shaders.fixed_pixel && !has_pixel && (shaders.texture_stages || !has_vertex))
+    unsupported.push_back("fixed-function texture stages");
   if (!write_programs_ || !unsupported.empty() || (has_vertex && shaders.vertex->failed) ||
       (has_pixel && shaders.pixel->failed) || (shaders.vertex && shaders.vertex->failed) ||
       (shaders.pixel && shaders.pixel->failed)) {

@@ -62,8 +62,9 @@ ScriptTargetRole ScriptTarget(const Texture& texture) {
   ScriptTargetRole role;
   role.is_depth_stencil = EqualsIgnoringCase(texture.semantic, "RenderDepthStencilTarget");
   const auto pixels = [&](std::string_view own, std::size_t component) {
-    const auto length = NumberAnnotation(texture.annotations, own)
-                            .or_else([&] { return NumberAnnotation(texture.annotations, "Dimensions", component); });
+    const auto length = NumberAnnotation(texture.annotations, own).or_else([&] {
+      return NumberAnnotation(texture.annotations, "Dimensions", component);
+    });
     return length && *length >= 1 ? static_cast<int>(std::min(*length, double{kMaxScriptTarget})) : 0;
   };
   const auto ratio = [&](std::size_t component) {

@@ -201,6 +201,8 @@ std::string EntryWriter::Write() {
 }
 
 std::string FragmentEntry::Input(const Semantic& semantic, const std::string& written_as, const Range&) {
+  if (fills_texture && semantic.name == "POSITION") return "burin_texel_position()";
+  if (fills_texture && semantic.name == "PSIZE") return std::string(kUniformTexel);
   if (semantic.name == "VPOS") return "vec4(gl_FragCoord.xy - 0.5, gl_FragCoord.zw)";
   if (semantic.name == "VFACE") return "vec4(gl_FrontFacing ? 1.0 : -1.0)";
   if (Upper(written_as).starts_with("SV_POSITION")) return "vec4(gl_FragCoord.xyz, 1.0 / gl_FragCoord.w)";

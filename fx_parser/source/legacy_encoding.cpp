@@ -38,7 +38,7 @@ bool LooksLikeCp932(std::string_view bytes) {
   bool has_kana_or_kanji = false;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const unsigned char c = ByteAt(bytes, i);
-    if (c < 0x80 || (c >= 0xA1 && c <= 0xDF)) continue;   // ASCII, and katakana of half width
+    if (c < 0x80 || (c >= 0xA1 && c <= 0xDF)) continue;  // ASCII, and katakana of half width
     const bool leads = (c >= 0x81 && c <= 0x9F) || (c >= 0xE0 && c <= 0xFC);
     if (!leads || ++i == bytes.size()) return false;
     const unsigned char trail = ByteAt(bytes, i);
@@ -53,7 +53,7 @@ std::optional<std::string> Utf8FromCp932(std::string_view bytes) {
   const iconv_t converter = iconv_open("UTF-8", "CP932");
   if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // NOLINT: how iconv says it
   std::string input(bytes);
-  std::string text(bytes.size() * 3, '\0');   // a character of one byte becomes at most three
+  std::string text(bytes.size() * 3, '\0');  // a character of one byte becomes at most three
   char* from = input.data();
   std::size_t from_left = input.size();
   char* to = text.data();

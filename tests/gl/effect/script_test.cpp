@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scripts of NVIDIA's SAS on the device: targets, clears, the source, loops; and the dialects' own rules by value.
+#include <cmath>
 #include <string>
 
 #include "tests/gl/effect/effect_fixture.h"
@@ -64,11 +65,11 @@ TEST(Scripts, ClearDepthOfTheBufferThatIsSet) {
 
 TEST(Scripts, LoopsCountTheirTurns) {
   const std::string text =
-      kHead + "float Count = 3; float Turn; float4 PS() : COLOR { return (Turn + 1) / 16.0; }\n" +
+      kHead + "float Count = 3; float Turn; float4 PS() : COLOR { return (Turn + 1) * 5 / 255.0; }\n" +
       "technique T < string Script = \"LoopByCount=Count;LoopGetIndex=Turn;Pass=A;LoopEnd=;\"; > { " +
       Pass("A", "Draw=Buffer;", "PS()", "ZEnable = false; AlphaBlendEnable = true; SrcBlend = One; DestBlend = One;") +
       "}";
-  const auto sum = [](int n) { return static_cast<float>(n * (n + 1)) / 32.0f; };
+  const auto sum = [](int n) { return static_cast<float>(n * (n + 1) / 2 * 5) / 255.0f; };
   EXPECT_RGBA8(RunText(text, 1, 1).at(0, 0), sum(3), sum(3), sum(3), sum(3));
   EXPECT_RGBA8(RunText(text, 1, 1, {{"Count", "4"}}).at(0, 0), sum(4), sum(4), sum(4), sum(4));
   EXPECT_RGBA8(RunText(text, 1, 1, {{"Count", "0"}}).at(0, 0), 0, 0, 0, 0);
@@ -88,7 +89,8 @@ TEST(Scripts, EveryFrameBeginsAnew) {
 
 TEST(Dialects, ADiffuseColourIsDrawnWithoutAPixelShader) {
   const std::string text =
-      "float4 VS(float4 p : POSITION, float2 t : TEXCOORD0, out float4 c : COLOR0) : POSITION { c = float4(1, 0.5, 0.25, "
+      "float4 VS(float4 p : POSITION, float2 t : TEXCOORD0, out float4 c : COLOR0) : POSITION { c = float4(1, 0.5, "
+      "0.25, "
       "2); return p; }\nfloat4 Plain(float4 p : POSITION) : POSITION { return p; }\n"
       "technique Given { pass { VertexShader = compile vs_2_0 VS(); PixelShader = NULL; } }\n"
       "technique White { pass { VertexShader = compile vs_2_0 Plain(); } }";
@@ -121,6 +123,49 @@ TEST(Dialects, CgsRectanglesAreLookedUpByPixel) {
                return Rgba{static_cast<float>(x) / 4.0f, 0, 0, 1};
              }));
   EXPECT_RGBA8(bench.RunPixels().at(0, 0), 0.5f, 0, 0, 1);
+}
+
+// The middle of texel (2, 1) of 4 by 2.
+TEST(ProceduralTextures, AreFilledByTexel) {
+  const std::string text =
+      "texture t < string function = \"Make\"; float2 Dimensions = {4, 2}; >; float Scale = 0.5;\n"
+      "sampler s = sampler_state { Texture = <t>; };\n"
+      "float4 Make(float2 p : POSITION, float2 size : PSIZE) : COLOR { return float4(p, size) * Scale; }\n"
+      "float4 PS() : COLOR { return tex2D(s, float2(0.625, 0.75)); }\n"
+      "technique T { pass { PixelShader = compile ps_2_0 PS(); } }";
+  EXPECT_RGBA8(RunText(text, 1, 1).at(0, 0), 0.3125f, 0.375f, 0.125f, 0.25f);
+  EXPECT_RGBA8(RunText(text, 1, 1, {{"Scale", "1"}}).at(0, 0), 0.625f, 0.75f, 0.25f, 0.5f);
+}
+
+TEST(ProceduralTextures, OfVolumesHaveTheirSlices) {
+  const std::string text =
+      "texture t < string function = \"Make\"; string ResourceType = \"3D\"; int width = 2; int height = 2; int depth "
+      "= 4; "
+      "string Format = \"A32B32G32R32F\"; >; sampler3D s = sampler_state { Texture = <t>; };\n"
+      "float4 Make(float3 p : POSITION, float3 size : PSIZE) : COLOR { return float4(p * 4, size.z); }\n"
+      "float4 PS() : COLOR { return tex3D(s, float3(0.25, 0.75, 0.9)) / 4; }\n"
+      "technique T { pass { PixelShader = compile ps_2_0 PS(); } }";
+  EXPECT_RGBA8(RunText(text, 1, 1).at(0, 0), 0.25f, 0.75f, 0.875f, 0.0625f);
+}
+
+// A cube that gives back the direction it is looked up in, on all six faces.
+TEST(ProceduralTextures, OfCubesGetDirections) {
+  const std::string head =
+      "texture t < string function = \"Make\"; string ResourceType = \"Cube\"; int width = 64; "
+      "string Format = \"A32B32G32R32F\"; >; samplerCUBE s = sampler_state { Texture = <t>; MinFilter = Linear; "
+      "MagFilter = Linear; };\nfloat4 Make(float3 p : POSITION) : COLOR { return float4(normalize(p), 1); }\n"
+      "float4 PS(uniform float3 d) : COLOR { return float4(texCUBE(s, d).xyz * 0.5 + 0.5, 1); }\n";
+  const std::array<float, 3> directions[] = {{1, 0.3f, -0.2f}, {-1, 0.4f, 0.1f}, {0.2f, 1, -0.3f},
+                                             {0.1f, -1, 0.5f}, {-0.4f, 0.3f, 1}, {0.3f, 0.2f, -1}};
+  for (const auto& d : directions) {
+    const std::string direction =
+        "float3(" + std::to_string(d[0]) + ", " + std::to_string(d[1]) + ", " + std::to_string(d[2]) + ")";
+    const PixelMap pixels =
+        RunText(head + "technique T { pass { PixelShader = compile ps_2_0 PS(" + direction + "); } }", 1, 1);
+    const float length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const auto expected = [&](std::size_t i) { return d[i] / length * 0.5f + 0.5f; };
+    EXPECT_TRUE(Near(pixels.at(0, 0), {expected(0), expected(1), expected(2), 1}, 0.01f)) << direction;
+  }
 }
 
 }  // namespace

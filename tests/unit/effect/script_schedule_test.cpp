@@ -41,9 +41,9 @@ TEST(ScriptSchedule, DrawsIntoTheTargetsThatAreSet) {
   const auto sampler = builder.Sampler(half);
   fx::Technique& technique = builder.Technique("T");
   technique.passes = {Builder::Pass({}), Builder::Pass({sampler})};
-  technique.script = {Do(Action::kColorTarget, half), Do(Action::kDepthStencilTarget, depth),
-                      Do(Action::kDrawGeometry, {}, 0), Do(Action::kColorTarget), Do(Action::kDepthStencilTarget),
-                      Do(Action::kDrawBuffer, {}, 1)};
+  technique.script = {Do(Action::kColorTarget, half),   Do(Action::kDepthStencilTarget, depth),
+                      Do(Action::kDrawGeometry, {}, 0), Do(Action::kColorTarget),
+                      Do(Action::kDepthStencilTarget),  Do(Action::kDrawBuffer, {}, 1)};
   const Schedule schedule = MakeSchedule(builder.effect, 0, {8, 4});
   ASSERT_EQ(schedule.steps.size(), 2u);
   EXPECT_EQ(schedule.steps[0].targets, (std::vector<std::size_t>{half}));
@@ -67,7 +67,7 @@ TEST(ScriptSchedule, WhatTheScriptClearsOrCopiesIsNotClearedAgain) {
   fx::Technique& technique = builder.Technique("T");
   technique.passes = {Builder::Pass({})};
   technique.script = {Do(Action::kColorTarget, scene), With(Action::kSetClearColor, 0), Do(Action::kClearColor),
-                      Do(Action::kClearDepth), Do(Action::kDrawSource), Do(Action::kDrawBuffer)};
+                      Do(Action::kClearDepth),         Do(Action::kDrawSource),         Do(Action::kDrawBuffer)};
   const Schedule schedule = MakeSchedule(builder.effect, 0, {8, 4});
   ASSERT_EQ(schedule.steps.size(), 3u);
   EXPECT_EQ(schedule.steps[0].kind, Step::Kind::kClear);

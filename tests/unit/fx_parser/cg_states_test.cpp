@@ -12,8 +12,8 @@ using States = std::vector<std::pair<RenderState, double>>;
 
 States StatesOf(const std::string& states, const std::string& path = "test.cgfx") {
   InMemoryFileSystem files;
-  files.files[path] = "float4 PS() : COLOR { return 0; } technique { pass { FragmentProgram = compile fp40 PS(); " +
-                      states + " } }";
+  files.files[path] =
+      "float4 PS() : COLOR { return 0; } technique { pass { FragmentProgram = compile fp40 PS(); " + states + " } }";
   const CompileResult result = CompileEffect(path, files, {});
   EXPECT_EQ(test::Messages(result), "") << states;
   States list;
@@ -39,15 +39,16 @@ TEST(CgStates, OfSeveralValuesBecomeSeveral) {
   EXPECT_EQ(StatesOf("PolygonMode = int2(FrontAndBack, Line);"), (States{{kFillMode, 2}, off}));
   EXPECT_EQ(StatesOf("PolygonOffset = float2(2, 16777216);"),
             (States{{kSlopeScaleDepthBias, 2}, {kDepthBias, 1}, off}));
-  EXPECT_EQ(StatesOf("StencilFunc = int3(NotEqual, 3, 0xff); StencilOp = int3(Keep, Incr, IncrWrap); StencilMask = 15;"),
-            (States{{kStencilFunc, 6},
-                    {kStencilRef, 3},
-                    {kStencilMask, 255},
-                    {kStencilFail, 1},
-                    {kStencilZFail, 4},
-                    {kStencilPass, 7},
-                    {kStencilWriteMask, 15},
-                    off}));
+  EXPECT_EQ(
+      StatesOf("StencilFunc = int3(NotEqual, 3, 0xff); StencilOp = int3(Keep, Incr, IncrWrap); StencilMask = 15;"),
+      (States{{kStencilFunc, 6},
+              {kStencilRef, 3},
+              {kStencilMask, 255},
+              {kStencilFail, 1},
+              {kStencilZFail, 4},
+              {kStencilPass, 7},
+              {kStencilWriteMask, 15},
+              off}));
   EXPECT_EQ(StatesOf("DepthTestEnable = true; DepthMask = false; DepthFunc = GEqual; BlendEnable = true;"),
             (States{{kZEnable, 1}, {kZWriteEnable, 0}, {kZFunc, 7}, {kAlphaBlendEnable, 1}, off}));
 }

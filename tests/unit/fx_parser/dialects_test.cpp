@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small effects in the style of Direct3D 9's samples, FX Composer's library and CgFX, and what those dialects differ in.
+// Small effects in the style of Direct3D 9's samples, FX Composer's library and CgFX, and what those dialects differ
+// in.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,13 +60,14 @@ TEST(Dialects, SamplerArraysTakeIndicesOfTheCompileExpression) {
   ASSERT_EQ(result.effect->techniques[0].passes[0].program.samplers.size(), 1u);
   EXPECT_EQ(result.effect->samplers[result.effect->techniques[0].passes[0].program.samplers[0]].name, "s[2]");
   EXPECT_EQ(Messages(declarations + "technique T { pass P { PixelShader = compile ps_2_0 PS(2); } }"),
-            "1:80: error: index out of bounds: 's' is a sampler[3] [X3504]\n");
+            "1:87: error: index out of bounds: 's' is a sampler[3] [X3504]\n");
 }
 
 TEST(Dialects, WithoutAPixelShaderTheDiffuseColourIsDrawn) {
   const std::string vertex = "float4 VS(float4 p : POSITION, out float4 c : COLOR0) : POSITION { c = p; return p; }\n";
-  for (const char* states : {"PixelShader = NULL;", "", "ColorOp[0] = SelectArg1; ColorArg1[0] = Diffuse; ColorOp[1] = "
-                                                        "Disable; Texture[0] = NULL; MinFilter[0] = Linear;"}) {
+  for (const char* states : {"PixelShader = NULL;", "",
+                             "ColorOp[0] = SelectArg1; ColorArg1[0] = Diffuse; ColorOp[1] = "
+                             "Disable; Texture[0] = NULL; MinFilter[0] = Linear;"}) {
     const CompileResult result =
         test::Compile(vertex + "technique T { pass P { VertexShader = compile vs_2_0 VS(); " + states + " } }");
     ASSERT_TRUE(result.effect) << Messages(result);
@@ -74,12 +76,24 @@ TEST(Dialects, WithoutAPixelShaderTheDiffuseColourIsDrawn) {
     EXPECT_EQ(technique.passes[0].program.targets, 1);
     if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(technique.passes[0].program), "");
   }
-  const CompileResult textured = test::Compile(
-      "texture t; " + vertex + "technique T { pass P { VertexShader = compile vs_2_0 VS(); Texture[0] = <t>; "
-                               "ColorOp[0] = Modulate; } }");
+  const CompileResult textured =
+      test::Compile("texture t; " + vertex +
+                    "technique T { pass P { VertexShader = compile vs_2_0 VS(); Texture[0] = <t>; "
+                    "ColorOp[0] = Modulate; } }");
   ASSERT_TRUE(textured.effect);
   EXPECT_EQ(textured.effect->techniques[0].unsupported,
             (std::vector<std::string>{"pass 'P': fixed-function texture stages"}));
+}
+
+TEST(ProceduralTextures, NeedAFunctionWithSemantics) {
+  const std::string use =
+      "float4 PS() : COLOR { return 1; } technique T { pass { PixelShader = compile ps_2_0 PS(); } }";
+  EXPECT_EQ(
+      Messages("texture t < string function = \"Mak\"; >; float4 Make(float2 p : POSITION) : COLOR { return 1; }" +
+               use),
+      "1:9: warning: texture 't': there is no function 'Mak' to fill it; did you mean 'Make'? [B1022]\n");
+  EXPECT_EQ(Messages("texture t < string function = \"Make\"; >; float4 Make(float2 p) : COLOR { return 1; }" + use),
+            "1:9: warning: texture 't': 'Make' cannot fill it: its parameters and result need semantics [B1022]\n");
 }
 
 TEST(LegacyEncoding, TellsJapaneseFromEuropeanBytes) {
@@ -99,9 +113,7 @@ TEST(LegacyEncoding, BackslashesInsideCharactersAreNone) {
   EXPECT_EQ(result.effect->parameters.at(0).annotations.at(0).value.strings.at(0), "\xE3\x82\xBD");
 }
 
-TEST(LegacyEncoding, TheEndMarkOfDosEndsTheText) {
-  EXPECT_EQ(Messages("float a;\n\x1A\x1A@@"), "");
-}
+TEST(LegacyEncoding, TheEndMarkOfDosEndsTheText) { EXPECT_EQ(Messages("float a;\n\x1A\x1A@@"), ""); }
 
 }  // namespace
 }  // namespace burin::fx

@@ -9,8 +9,8 @@
 namespace burin::fx {
 namespace {
 
-using ::testing::ElementsAre;
 using test::Messages;
+using ::testing::ElementsAre;
 using Action = ScriptStep::Action;
 
 TEST(Script, IsCommandsWithoutCaseOrSpace) {
@@ -63,7 +63,8 @@ std::vector<Action> Actions(const std::string& text) {
 TEST(Script, PutsThePassesScriptsWhereItRunsThem) {
   EXPECT_THAT(Actions(kTargets + TwoPasses("RenderColorTarget0=Half;ClearSetColor=Black;Clear=Color;Clear=Depth;"
                                            "ScriptExternal=color;Pass=B;Pass=A;",
-                                           "Draw=Geometry;", "RenderColorTarget0=;RenderDepthStencilTarget=Depth;Draw=Buffer;")),
+                                           "Draw=Geometry;",
+                                           "RenderColorTarget0=;RenderDepthStencilTarget=Depth;Draw=Buffer;")),
               ElementsAre(Action::kColorTarget, Action::kSetClearColor, Action::kClearColor, Action::kClearDepth,
                           Action::kDrawSource, Action::kColorTarget, Action::kDepthStencilTarget, Action::kDrawBuffer,
                           Action::kDrawGeometry));
@@ -108,14 +109,14 @@ TEST(Script, WarnsOfWhatItNamesInVain) {
   EXPECT_EQ(Messages(kTargets + TwoPasses("Pass=C;RenderColorTarget0=Depth;ClearSetColor=White;Pas=A;RenderPort=Light0;"
                                           "Draw=Buffer;Pass=A;",
                                           "Pass=B;Draw=Buffer;")),
-            "4:32: warning: script: technique 'T' has no pass 'C' [B1020]\n"
-            "4:32: warning: script: RenderColorTarget0 names 'Depth', which is no texture of the semantic "
+            "4:31: warning: script: technique 'T' has no pass 'C' [B1020]\n"
+            "4:31: warning: script: RenderColorTarget0 names 'Depth', which is no texture of the semantic "
             "RENDERCOLORTARGET [B1020]\n"
-            "4:32: warning: script: ClearSetColor names 'White', which is no parameter [B1020]\n"
-            "4:32: warning: script: unknown command 'Pas' is ignored; did you mean 'Pass'? [B1020]\n"
-            "4:32: warning: script: RenderPort is ignored: the scene is seen by the camera, not by 'Light0' [B1020]\n"
-            "4:32: warning: script: 'Draw' stands in the script of a pass [B1020]\n"
-            "4:165: warning: script: a pass cannot run passes: 'Pass=B' is ignored [B1020]\n");
+            "4:31: warning: script: ClearSetColor names 'White', which is no parameter [B1020]\n"
+            "4:31: warning: script: unknown command 'Pas' is ignored; did you mean 'Pass'? [B1020]\n"
+            "4:31: warning: script: RenderPort is ignored: the scene is seen by the camera, not by 'Light0' [B1020]\n"
+            "4:31: warning: script: 'Draw' stands in the script of a pass [B1020]\n"
+            "4:159: warning: script: a pass cannot run passes: 'Pass=B' is ignored [B1020]\n");
   EXPECT_EQ(Messages("texture t : RENDERCOLORTARGET < string Format = \"Q8W8V8U8\"; >;"),
             "1:9: warning: texture 't': no render target has the format 'Q8W8V8U8' here; A8R8G8B8 stands in for it "
             "[B1019]\n");
@@ -127,7 +128,7 @@ TEST(Script, PassesThatRunEachOtherOverAndOverAreAnError) {
   std::string script;
   for (int i = 0; i < 4200; ++i) script += "Pass=A;";
   EXPECT_EQ(Messages(kTargets + TwoPasses(script, "Draw=Buffer;")),
-            "4:32: error: script: technique 'T' runs more than 4096 steps [B1021]\n");
+            "4:31: error: script: technique 'T' runs more than 4096 steps [B1021]\n");
 }
 
 TEST(Script, PassesThatProjectMeanTheScene) {
