@@ -58,6 +58,7 @@ class ScriptRun {
   ClearStep clear_;            // values as set; what to clear only until it is done
   std::vector<double> turns_;  // of the loops around, innermost last
   std::vector<LoopTurn> loop_turns_;
+  std::size_t turns_run_ = 0;              // of all loops
   std::set<std::size_t> touched_;
   std::set<std::pair<std::size_t, std::pair<int, int>>> depth_touched_;
   bool drew_into_frame_ = false;
@@ -92,6 +93,8 @@ void ScriptRun::RunRange(std::size_t begin, std::size_t end) {
     const long count = Count(script_[i]);
     turns_.push_back(0.0);
     for (long turn = 0; turn < count && !schedule_.is_cut; ++turn) {
+      // Also of loops around nothing, which add no step.
+      if (++turns_run_ > kMaxSteps) schedule_.is_cut = true;
       turns_.back() = static_cast<double>(turn);
       RunRange(i + 1, last);
     }

@@ -61,8 +61,8 @@ float4 VS(float4 p : POSITION, out float4 t : TEXCOORD0) : POSITION
 
 float4 CgLookups(float4 t)
 {
-    float4 r = texRECT(s2, t.xy) + f4tex2D(s2, t.xy) + h4tex2D(s2, t.xy) + f4texCUBE(sc, t.xyz) + h4texCUBE(sc, t.xyz);
-    r.xyz += f3tex2D(s2, t.xy) + h3tex2D(s2, t.xy) + f3texCUBE(sc, t.xyz) + h3texCUBE(sc, t.xyz);
+    float4 r = texRECT(s2, t.xy) + f4tex2D(s2, t.xy) + h4tex2D(s2, t.xy) + f4texCUBE(cube, t.xyz) + h4texCUBE(cube, t.xyz);
+    r.xyz += f3tex2D(s2, t.xy) + h3tex2D(s2, t.xy) + f3texCUBE(cube, t.xyz) + h3texCUBE(cube, t.xyz);
     r.xy += f2tex2D(s2, t.xy) + h2tex2D(s2, t.xy);
     return r + f1tex2D(s2, t.xy) + h1tex2D(s2, t.xy);
 }
