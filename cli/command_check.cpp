@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command_table.h"
 #include "cli/console.h"
+#include "cli/glsl_files.h"
 #include "core/render/effect_file.h"
 #include "core/render/effect_library.h"
 
@@ -72,6 +74,15 @@ int RunCheck(const Settings& settings) {
     return kExitUsage;
   }
   int status = kExitDone;
+  std::optional<GlslFiles> glsl;
+  if (!settings.glsl_folder.empty()) {
+    auto folder = GlslFiles::Create(settings.glsl_folder);
+    if (!folder) {
+      PrintError(folder.error());
+      return ExitStatus(folder.error());
+    }
+    glsl = std::move(*folder);
+  }
   Json all = Json::array();
   for (const std::string& argument : settings.arguments) {
     const auto path = render::FindEffect(argument);
@@ -83,6 +94,12 @@ int RunCheck(const Settings& settings) {
     const render::EffectFile file =
         render::CompileEffectFile(*path, {settings.job.include_folders, settings.job.definitions});
     if (file.effect == nullptr) status = kExitInput;
+    if (glsl && file.effect != nullptr) {
+      if (const auto written = glsl->Write(*file.effect); !written) {
+        PrintError(written.error());
+        return ExitStatus(written.error());
+      }
+    }
     if (settings.json) {
       all.push_back(FileJson(file));
       continue;

@@ -312,6 +312,12 @@ constexpr OptionSpec kTable[] = {
      "several times; burin info EFFECT lists the parameters.",
      "", Repeat::kCollect,
      [](Settings& s, const std::string& v) { return Append(s.job.parameters, ParseAssignment("param", v, nullptr)); }},
+    {"texture", 0, "NAME=FILE", kRender, kEffect,
+     "Give a texture of the effect this picture instead of the one that it names. Can be given several times.", "",
+     Repeat::kCollect,
+     [](Settings& s, const std::string& v) {
+       return Append(s.job.parameters, ParseAssignment("texture", v, nullptr));
+     }},
     {"technique", 0, "NAME", kRender | kInfo, kEffect,
      "Use this technique. Otherwise the first that this device can run.", "", Repeat::kLast,
      [](Settings& s, const std::string& v) {
@@ -380,6 +386,14 @@ constexpr OptionSpec kTable[] = {
     {"json", 0, "", kCheck | kInfo | kEffects, kMessages, "Write JSON to stdout.", "", Repeat::kLast,
      [](Settings& s, const std::string&) {
        s.json = true;
+       return Result<void>();
+     }},
+    {"glsl", 0, "FOLDER", kCheck, kMessages,
+     "Write the GLSL of every pass into this folder, as EFFECT.TECHNIQUE.PASS.vert and .frag. It is made if it is not "
+     "there.",
+     "", Repeat::kLast,
+     [](Settings& s, const std::string& v) {
+       s.glsl_folder = v;
        return Result<void>();
      }},
     {"dot", 0, "", kInfo, kMessages, "Write the effect's data flow as a Graphviz graph to stdout.", "", Repeat::kLast,

@@ -22,6 +22,7 @@ struct Settings {
   int progress_descriptor = 2;
   bool json = false;
   bool dot = false;
+  std::string glsl_folder;             ///< of --glsl; empty: not given
   bool help = false;
 };
 

@@ -4,12 +4,18 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "core/effect/parameter_override.h"
+#include "core/effect/parameter_range.h"
 #include "core/effect/parameter_values.h"
 #include "core/effect/pass_program.h"
 #include "core/effect/pass_step.h"
+#include "core/effect/procedural_texture.h"
 #include "core/effect/schedule.h"
 #include "core/effect/target_format.h"
+#include "core/effect/target_step.h"
 #include "core/effect/technique_choice.h"
 #include "core/effect/texture_store.h"
 #include "core/gl/fullscreen_quad.h"
@@ -27,7 +33,9 @@ class Runner final : public EffectRunner {
   const std::vector<AttributeTarget>& attributes() const override { return attributes_; }
   const TechniqueChoice& choice() const override { return choice_; }
   image::Encoding frame_encoding() const override { return frame_encoding_; }
-  bool needs_scene() const override { return !schedule_.custom_attributes.empty(); }
+  bool needs_scene() const override {
+    return std::any_of(schedule_.steps.begin(), schedule_.steps.end(), [](const Step& s) { return s.draws_scene; });
+  }
   const std::vector<std::string>& warnings() const override { return warnings_; }
   Result<const gl::Texture*> Run(const FrameContext& context, const SceneDraws& scene) override;
 
@@ -38,6 +46,7 @@ class Runner final : public EffectRunner {
   Result<void> CreateSteps(std::vector<PassProgram> programs);
   void ListAttributes();
   void ClearAtStart();
+  Result<void> RunStep(std::size_t index, const FrameContext& context);
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
 
   std::shared_ptr<const fx::Effect> effect_;
@@ -51,7 +60,8 @@ class Runner final : public EffectRunner {
   gl::TextureHandle frame_srgb_;
   std::optional<TextureStore> textures_;
   std::optional<ParameterValues> values_;
-  std::vector<PassStep> steps_;
+  std::vector<std::variant<PassStep, TargetStep>> steps_;  ///< one for each of the schedule's
+  gl::Texture source_;                                     ///< what ScriptExternal draws; a caller fills it
   gl::FramebufferHandle scratch_framebuffer_;
   std::vector<SceneDraw> draws_;
 };
@@ -72,10 +82,16 @@ Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect>
 Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   auto overrides = ParseOverrides(*effect_, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
+  warnings_ = RangeWarnings(*effect_, *overrides);
   auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options.load_texture, warnings_);
   if (!textures) return std::unexpected(textures.error());
   textures_ = std::move(*textures);
   values_.emplace(*effect_, *overrides, schedule_.texture_sizes, warnings_);
+  for (const std::size_t index : schedule_.procedural) {
+    auto filled = FillProceduralTexture(*effect_, index, *values_);
+    if (!filled) return std::unexpected(filled.error());
+    textures_->SetProcedural(index, *std::move(filled));
+  }
 
   frame_encoding_ = FrameEncoding(*effect_, choice_.technique);
   const gl::Format& format =
@@ -84,6 +100,16 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
       gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the frame", effect_->path));
   if (!frame) return std::unexpected(frame.error());
   frame_ = std::move(*frame);
+  if (schedule_.copies_source) {
+    auto source =
+        gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the source", effect_->path));
+    if (!source) return std::unexpected(source.error());
+    source_ = std::move(*source);
+  }
+  if (schedule_.is_cut) {
+    warnings_.push_back(fmt::format("{}: the script of technique '{}' runs more than {} steps: the rest is left out",
+                                    effect_->path, effect_->techniques[choice_.technique].name, kMaxSteps));
+  }
   if (schedule_.clears_frame_at_start) {
     warnings_.push_back(fmt::format("{}: no pass of technique '{}' draws into the frame, which stays empty",
                                     effect_->path, effect_->techniques[choice_.technique].name));
@@ -98,10 +124,16 @@ Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
   const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   for (std::size_t i = 0; i < schedule_.steps.size(); ++i) {
-    auto made =
-        PassStep::Create(*effect_, schedule_.steps[i], std::move(programs[i]), frame, *textures_, lookup, warnings_);
+    const Step& step = schedule_.steps[i];
+    if (step.kind != Step::Kind::kPass) {
+      auto made = TargetStep::Create(*effect_, step, frame, *textures_);
+      if (!made) return std::unexpected(made.error());
+      steps_.emplace_back(std::move(*made));
+      continue;
+    }
+    auto made = PassStep::Create(*effect_, step, std::move(programs[i]), frame, *textures_, lookup, warnings_);
     if (!made) return std::unexpected(made.error());
-    steps_.push_back(std::move(*made));
+    steps_.emplace_back(std::move(*made));
   }
   return {};
 }
@@ -115,6 +147,8 @@ void Runner::ListAttributes() {
                            .texture = textures_->texture(index),
                            .encoding = annotated.value_or(natural)});
   }
+  if (schedule_.copies_source)
+    attributes_.push_back({.attribute = "color", .texture = &source_, .encoding = frame_encoding_});
 }
 
 void Runner::ClearAtStart() {
@@ -156,20 +190,29 @@ Result<const gl::Texture*> Runner::Run(const FrameContext& context, const SceneD
     draws_ = std::move(*draws);
   }
   ClearAtStart();
-  const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
-  for (PassStep& step : steps_) {
-    if (auto bound = step.Begin(*effect_, *textures_, *values_, lookup, warnings_); !bound) {
-      return std::unexpected(bound.error());
-    }
-    if (step.draws_scene()) {
-      if (auto drawn = DrawScene(step, context); !drawn) return std::unexpected(drawn.error());
-    } else {
-      quad_.Draw();
-    }
-    step.End();
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (auto run = RunStep(i, context); !run) return std::unexpected(run.error());
   }
   gl::ResetState();
   return &frame_;
+}
+
+Result<void> Runner::RunStep(std::size_t index, const FrameContext& context) {
+  for (const LoopTurn& turn : schedule_.steps[index].loop_turns) values_->Set(turn.parameter, turn.number);
+  if (auto* target = std::get_if<TargetStep>(&steps_[index])) {
+    target->Run(*values_, source_);
+    return {};
+  }
+  auto& step = std::get<PassStep>(steps_[index]);
+  const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
+  if (auto bound = step.Begin(*effect_, *textures_, *values_, lookup, warnings_); !bound) return bound;
+  if (step.draws_scene()) {
+    if (auto drawn = DrawScene(step, context); !drawn) return drawn;
+  } else {
+    quad_.Draw();
+  }
+  step.End();
+  return {};
 }
 
 // What this device lacks for one pass; empty when nothing.
@@ -192,6 +235,10 @@ std::string DeviceRefusal(const fx::Pass& pass) {
 Result<std::vector<PassProgram>> CompilePrograms(const fx::Effect& effect, const Schedule& schedule) {
   std::vector<PassProgram> programs;
   for (const Step& step : schedule.steps) {
+    if (step.kind != Step::Kind::kPass) {
+      programs.emplace_back();
+      continue;
+    }
     const fx::Technique& technique = effect.techniques[step.technique];
     const fx::Pass& pass = technique.passes[step.pass];
     const std::string label = fmt::format("{}: technique '{}', pass '{}'", effect.path, technique.name, pass.name);
@@ -210,8 +257,17 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
                                                            const RunnerOptions& options) {
   auto choice = ChooseTechnique(*effect, options.technique);
   if (!choice) return std::unexpected(choice.error());
+  auto overrides = ParseOverrides(*effect, options.parameters);
+  if (!overrides) return std::unexpected(overrides.error());
+  ScheduleOptions schedule_options{.has_scene = options.has_scene, .number = {}};
+  schedule_options.number = [&](std::size_t parameter) {
+    const auto found = overrides->parameters.find(parameter);
+    const fx::Value& value =
+        found != overrides->parameters.end() ? found->second : effect->parameters[parameter].default_value;
+    return value.numbers.empty() ? 0.0 : value.numbers[0];
+  };
   while (true) {
-    Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height});
+    Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height}, schedule_options);
     auto programs = CompilePrograms(*effect, schedule);
     if (programs) {
       auto runner = Runner::Create(effect, options, *choice, std::move(schedule), std::move(*programs));

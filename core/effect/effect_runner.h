@@ -37,6 +37,7 @@ struct RunnerOptions {
   std::string technique;                               ///< empty: the first that validates
   std::vector<std::pair<std::string, std::string>> parameters;   ///< --param NAME=VALUE
   TextureLoader load_texture;
+  bool has_scene = false;                              ///< the source has geometry; otherwise it is a picture
   int width = 0;                                       ///< of the frame
   int height = 0;
   /// Of the frame when its colour is display-encoded / scene-linear.
@@ -69,7 +70,7 @@ class EffectRunner {
   [[nodiscard]] virtual const std::vector<AttributeTarget>& attributes() const = 0;
   [[nodiscard]] virtual const TechniqueChoice& choice() const = 0;
   [[nodiscard]] virtual image::Encoding frame_encoding() const = 0;
-  /// True when a custom attribute is declared: Run() then needs `scene`.
+  /// True when a custom attribute or a pass draws the scene's geometry: Run() then needs `scene`.
   [[nodiscard]] virtual bool needs_scene() const = 0;
   /// Runs custom attributes and all passes; the result is the frame's texture, valid until the next Run().
   [[nodiscard]] virtual Result<const gl::Texture*> Run(const FrameContext& context, const SceneDraws& scene) = 0;

@@ -36,6 +36,13 @@ void ParameterValues::SetObject(const FrameContext& context) {
   }
 }
 
+void ParameterValues::Set(std::size_t parameter, double number) {
+  std::vector<double>& numbers = values_[parameter].numbers;
+  if (numbers.empty() || numbers[0] == number) return;
+  numbers[0] = number;
+  ++versions_[parameter];
+}
+
 void ParameterValues::Update(const HostBinding& binding, const FrameContext& context) {
   std::vector<double>& numbers = values_[binding.parameter].numbers;
   scratch_.assign(numbers.begin(), numbers.end());

@@ -26,6 +26,9 @@ class ParameterValues {
   /// Only what depends on the object that is drawn.
   void SetObject(const FrameContext& context);
 
+  /// Of a script's loop: the first component.
+  void Set(std::size_t parameter, double number);
+
   [[nodiscard]] const fx::Value& value(std::size_t parameter) const { return values_[parameter]; }
   [[nodiscard]] std::uint64_t version(std::size_t parameter) const { return versions_[parameter]; }
 

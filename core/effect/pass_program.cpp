@@ -70,6 +70,7 @@ Result<PassProgram> PassProgram::Create(const fx::Effect& effect, const fx::Shad
   result.pixel_offset_ = result.program_.UniformLocation(std::string(fx::kUniformPixelOffset));
   result.alpha_test_ = result.program_.UniformLocation(std::string(fx::kUniformAlphaTest));
   result.target_size_ = result.program_.UniformLocation(std::string(fx::kUniformTargetSize));
+  result.texel_ = result.program_.UniformLocation(std::string(fx::kUniformTexel));
   for (const std::size_t index : shaders.parameters) {
     const fx::Parameter& parameter = effect.parameters[index];
     Uniform uniform{.parameter = index, .version = 0, .leaves = {}};
@@ -122,6 +123,10 @@ void PassProgram::Use(const ParameterValues& values, const HostUniforms& host) {
   if (alpha_test_ >= 0) glUniform2fv(alpha_test_, 1, host.alpha_test.data());
   if (target_size_ >= 0) glUniform4fv(target_size_, 1, host.target_size.data());
   UpdateParameters(values);
+}
+
+void PassProgram::SetTexel(const std::array<float, 4>& texel) {
+  if (texel_ >= 0) glUniform4fv(texel_, 1, texel.data());
 }
 
 void PassProgram::UpdateParameters(const ParameterValues& values) {

@@ -27,6 +27,8 @@ class PassProgram {
                                                   const std::string& label);
   /// Makes it current and uploads the parameters that changed since its last use.
   void Use(const ParameterValues& values, const HostUniforms& host);
+  /// Of a program that fills a texture, while it is current: fx::kUniformTexel.
+  void SetTexel(const std::array<float, 4>& texel);
   /// Between draws: uploads what changed.
   void UpdateParameters(const ParameterValues& values);
 
@@ -52,6 +54,7 @@ class PassProgram {
   int pixel_offset_ = -1;
   int alpha_test_ = -1;
   int target_size_ = -1;
+  int texel_ = -1;
   std::vector<float> floats_;
   std::vector<std::int32_t> ints_;
 };

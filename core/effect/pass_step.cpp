@@ -85,7 +85,7 @@ Result<void> PassStep::CreateTargets(const fx::Effect& effect, const FrameTextur
   }
   std::uint32_t depth_stencil = 0;
   if (step_.uses_depth_stencil) {
-    auto buffer = textures.DepthStencil(step_.size);
+    auto buffer = textures.DepthStencil(step_.size, step_.depth_stencil);
     if (!buffer) return std::unexpected(buffer.error());
     depth_stencil = (*buffer)->id();
   }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/effect/render_states.h"
+#include "core/effect/script_schedule.h"
 
 namespace burin::effect {
 namespace {
@@ -22,6 +23,9 @@ void CollectTextures(const fx::Effect& effect, const fx::Technique& technique, s
       if (effect.samplers[sampler].texture) textures.insert(*effect.samplers[sampler].texture);
     }
     textures.insert(pass.targets.begin(), pass.targets.end());
+  }
+  for (const fx::ScriptStep& step : technique.script) {
+    if (step.texture) textures.insert(*step.texture);
   }
 }
 
@@ -57,6 +61,10 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
       (attribute->is_custom ? schedule.custom_attributes : schedule.attributes).push_back(index);
     } else if (std::holds_alternative<fx::PassResultRole>(role)) {
       schedule.pass_results.push_back(index);
+    } else if (const auto* target = std::get_if<fx::ScriptTargetRole>(&role)) {
+      if (!target->is_depth_stencil) schedule.pass_results.push_back(index);
+    } else if (std::holds_alternative<fx::ProceduralRole>(role)) {
+      schedule.procedural.push_back(index);
     } else {
       schedule.files.push_back(index);
     }
@@ -64,12 +72,12 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
 }
 
 void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std::size_t> custom_target,
-              glm::ivec2 frame, Schedule& schedule) {
+              glm::ivec2 frame, bool has_scene, Schedule& schedule) {
   for (std::size_t pass = 0; pass < effect.techniques[technique].passes.size(); ++pass) {
     Step step;
     step.technique = technique;
     step.pass = pass;
-    step.draws_scene = custom_target.has_value();
+    step.draws_scene = custom_target.has_value() || (has_scene && effect.techniques[technique].passes[pass].projects);
     if (custom_target) {
       step.targets = {*custom_target};
     } else {
@@ -106,6 +114,10 @@ void PlanClears(const fx::Effect& effect, Schedule& schedule) {
   schedule.clears_frame_at_start = !frame_touched;
 }
 
+bool IsCustom(const fx::Effect& effect, const Step& step) {
+  return !effect.techniques[step.technique].custom_attribute.empty();
+}
+
 // What a pass's states, as far as they are constant, do with the depth-stencil buffer.
 struct DepthUse {
   bool tests = false;          ///< with ZEnable
@@ -139,7 +151,8 @@ void PlanDepthStencil(const fx::Effect& effect, Schedule& schedule) {
   std::map<std::pair<int, int>, bool> needed;
   std::map<std::pair<int, int>, int> testing, off_quad;
   for (const Step& step : schedule.steps) {
-    if (step.draws_scene) continue;
+    if (IsCustom(effect, step)) continue;
+    needed[key(step)] |= step.draws_scene;
     const DepthUse use = UseOfDepth(PassOf(effect, step));
     needed[key(step)] |= use.surely_needed;
     testing[key(step)] += use.tests;
@@ -149,7 +162,7 @@ void PlanDepthStencil(const fx::Effect& effect, Schedule& schedule) {
   std::size_t scene_target = 0;
   bool in_scene = false;
   for (Step& step : schedule.steps) {
-    if (step.draws_scene) {
+    if (IsCustom(effect, step)) {
       step.uses_depth_stencil = true;
       step.clears_depth_stencil = !in_scene || scene_target != step.targets.front();
       scene_target = step.targets.front();
@@ -159,6 +172,16 @@ void PlanDepthStencil(const fx::Effect& effect, Schedule& schedule) {
     step.uses_depth_stencil = needed[key(step)] || (off_quad[key(step)] > 0 && testing[key(step)] > 1);
     step.clears_depth_stencil = step.uses_depth_stencil && cleared.insert(key(step)).second;
   }
+}
+
+// Those of files are known when they are loaded.
+glm::ivec2 SizeOf(const fx::Texture& texture, glm::ivec2 frame) {
+  if (std::holds_alternative<fx::FileRole>(texture.role)) return glm::ivec2(1);
+  if (const auto* made = std::get_if<fx::ProceduralRole>(&texture.role)) return {made->width, made->height};
+  const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role);
+  if (target == nullptr) return ScaledSize(texture.scale, frame);
+  if (target->width > 0) return {target->width, target->height};
+  return {ScaledSize(target->width_ratio, frame).x, ScaledSize(target->height_ratio, frame).y};
 }
 
 }  // namespace
@@ -171,20 +194,24 @@ glm::ivec2 ScaledSize(double scale, glm::ivec2 frame) {
   return {scaled(frame.x), scaled(frame.y)};
 }
 
-Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame) {
+Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame,
+                      const ScheduleOptions& options) {
   Schedule schedule;
-  for (const fx::Texture& texture : effect.textures) {
-    const bool is_file = std::holds_alternative<fx::FileRole>(texture.role);
-    schedule.texture_sizes.push_back(is_file ? glm::ivec2(1) : ScaledSize(texture.scale, frame));
-  }
+  for (const fx::Texture& texture : effect.textures) schedule.texture_sizes.push_back(SizeOf(texture, frame));
   SortByRole(effect, TexturesUsed(effect, technique), schedule);
   for (const std::size_t index : schedule.custom_attributes) {
     const auto& role = std::get<fx::AttributeRole>(effect.textures[index].role);
-    if (const auto filler = CustomTechnique(effect, role.attribute)) AddSteps(effect, *filler, index, frame, schedule);
+    if (const auto filler = CustomTechnique(effect, role.attribute))
+      AddSteps(effect, *filler, index, frame, options.has_scene, schedule);
   }
-  AddSteps(effect, technique, std::nullopt, frame, schedule);
+  const bool is_scripted = !effect.techniques[technique].script.empty();
+  if (!is_scripted) AddSteps(effect, technique, std::nullopt, frame, options.has_scene, schedule);
   PlanClears(effect, schedule);
   PlanDepthStencil(effect, schedule);
+  if (is_scripted) {
+    schedule.clears_frame_at_start = false;
+    AddScriptSteps(effect, technique, frame, options, schedule);
+  }
   return schedule;
 }
 

@@ -97,6 +97,12 @@ int AllFloating(const std::vector<const fx::Texture*>& attributes, std::initiali
 Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::string& wanted) {
   if (!wanted.empty()) return ChooseNamed(effect, wanted);
   TechniqueChoice choice;
+  // What the file's own script asks for, then any other.
+  for (const std::size_t preferred : effect.preferred_techniques) {
+    if (!Reason(effect.techniques[preferred]).empty()) continue;
+    choice.technique = preferred;
+    return choice;
+  }
   if (FindUsable(effect, 0, choice)) return choice;
   if (choice.rejected.empty()) {
     return Fail(ErrorKind::kInput, fmt::format("{}: no technique that draws a frame", effect.path));

@@ -166,6 +166,7 @@ bool TextureStore::AddSrgbView(std::size_t index) {
 std::uint32_t TextureStore::srgb_view(std::size_t index) const { return slots_[index].srgb.id(); }
 
 std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) const {
+  if (sampler.texture && slots_[*sampler.texture].procedural) return slots_[*sampler.texture].procedural.id();
   const bool is_2d = sampler.dimension == fx::Dimension::k2D || sampler.dimension == fx::Dimension::kUnknown;
   if (sampler.texture && is_2d) {
     const Slot& slot = slots_[*sampler.texture];
@@ -177,8 +178,8 @@ std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) co
   return found->second.id();
 }
 
-Result<const gl::Texture*> TextureStore::DepthStencil(glm::ivec2 size) {
-  gl::Texture& buffer = depth_stencils_[{size.x, size.y}];
+Result<const gl::Texture*> TextureStore::DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner) {
+  gl::Texture& buffer = depth_stencils_[{size.x, size.y, owner}];
   if (!buffer) {
     auto created = gl::CreateDepthStencil(size.x, size.y, fmt::format("depth-stencil {}x{}", size.x, size.y));
     if (!created) return std::unexpected(created.error());

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,13 +38,16 @@ class TextureStore {
   /// Makes the views that `ForSampler(..., true)` and sRGB writes need; false when the format has none.
   bool AddSrgbView(std::size_t index);
   [[nodiscard]] std::uint32_t srgb_view(std::size_t index) const;
-  /// One for every size.
-  [[nodiscard]] Result<const gl::Texture*> DepthStencil(glm::ivec2 size);
+  /// Of a texture that a function has filled.
+  void SetProcedural(std::size_t index, gl::TextureHandle texture) { slots_[index].procedural = std::move(texture); }
+  /// One for every size and, where a script has buffers of its own, for each of its textures.
+  [[nodiscard]] Result<const gl::Texture*> DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner);
 
  private:
   struct Slot {
     gl::Texture texture;
     gl::TextureHandle srgb;
+    gl::TextureHandle procedural;   ///< of any dimension
   };
   [[nodiscard]] Result<void> AddTarget(const fx::Effect& effect, std::size_t index, glm::ivec2 size);
   [[nodiscard]] Result<void> AddFile(const fx::Effect& effect, std::size_t index, const Overrides& overrides,
@@ -53,7 +58,7 @@ class TextureStore {
   std::map<fx::Dimension, gl::TextureHandle> stand_ins_;
   gl::TextureHandle flat_normal_;
   std::vector<bool> is_normal_map_;
-  std::map<std::pair<int, int>, gl::Texture> depth_stencils_;
+  std::map<std::tuple<int, int, std::optional<std::size_t>>, gl::Texture> depth_stencils_;
 };
 
 }  // namespace burin::effect

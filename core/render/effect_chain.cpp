@@ -43,6 +43,7 @@ Result<void> EffectChain::Add(const ChainOptions& options, std::size_t index) {
   runner_options.technique = options.techniques[index];
   runner_options.parameters = options.parameters[index];
   runner_options.load_texture = TextureLoaderFor(effect->path, options.include_folders);
+  runner_options.has_scene = scene_ != nullptr;
   runner_options.width = options.width;
   runner_options.height = options.height;
   runner_options.display_frame_format = options.display_frame_format;
@@ -54,7 +55,7 @@ Result<void> EffectChain::Add(const ChainOptions& options, std::size_t index) {
   link.path = effect->path;
   if (link.runner->needs_scene() && scene_ == nullptr) {
     return Fail(ErrorKind::kInput,
-                fmt::format("{}: a custom attribute draws a scene, but the source is none", effect->path));
+                fmt::format("{}: it draws the geometry of a scene, but the source is none", effect->path));
   }
   const effect::TechniqueChoice& choice = link.runner->choice();
   choices_.push_back(fmt::format("{}: technique '{}'", effect->path, effect->techniques[choice.technique].name));

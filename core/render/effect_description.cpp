@@ -76,11 +76,22 @@ std::string RoleText(const fx::Texture& texture) {
     return result->target == 0 ? fmt::format("result of pass {}", result->pass)
                                : fmt::format("result {} of pass {}", result->target, result->pass);
   }
+  if (const auto* made = std::get_if<fx::ProceduralRole>(&texture.role))
+    return fmt::format("filled by function {}", made->function);
+  if (const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role))
+    return target->is_depth_stencil ? "depth-stencil target of scripts" : "target of scripts";
   const std::string& file = std::get<fx::FileRole>(texture.role).file;
   return file.empty() ? "file, none named" : fmt::format("file {}", file);
 }
 
 std::string SizeText(const fx::Texture& texture) {
+  if (const auto* made = std::get_if<fx::ProceduralRole>(&texture.role))
+    return fmt::format("{}x{}x{}", made->width, made->height, made->depth);
+  if (const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role)) {
+    if (target->width > 0) return fmt::format("{}x{}", target->width, target->height);
+    if (target->width_ratio != target->height_ratio)
+      return fmt::format("{:g} x {:g} of the frame", target->width_ratio, target->height_ratio);
+  }
   return texture.scale == 1.0 ? "frame size" : fmt::format("{:g} x frame size", texture.scale);
 }
 

@@ -43,6 +43,11 @@ Json TextureJson(const fx::Texture& texture) {
     json["role"] = "pass_result";
     json["pass"] = result->pass;
     json["target"] = result->target;
+  } else if (const auto* made = std::get_if<fx::ProceduralRole>(&texture.role)) {
+    json["role"] = "procedural";
+    json["function"] = made->function;
+  } else if (const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role)) {
+    json["role"] = target->is_depth_stencil ? "script_depth_stencil_target" : "script_target";
   } else {
     json["role"] = "file";
     json["file"] = std::get<fx::FileRole>(texture.role).file;

@@ -34,6 +34,11 @@ class EffectBuilder {
     std::optional<Shader> pixel;
     bool fixed_vertex = false;
     bool fixed_pixel = false;
+    bool texture_stages = false;   ///< fixed_pixel, and they do more than hand the diffuse colour on
+    // CgFX says in three states what CullMode says in one.
+    std::optional<bool> cull_enable;
+    bool cull_front = false;
+    bool front_is_clockwise = false;
   };
 
   // parameters
@@ -43,6 +48,8 @@ class EffectBuilder {
   void BuildTextures();
   void BuildTexture(ast::Variable& variable);
   void CheckPassTargets();
+  void BuildProceduralTextures();
+  void BuildProceduralTexture(const ast::Variable& variable, Texture& texture);
   // samplers
   void BuildSamplers();
   void BuildSampler(const ast::Variable& variable, int element, ast::Expression* initializer);
@@ -63,8 +70,21 @@ class EffectBuilder {
   void BuildPass(ast::Pass& source, Technique& technique);
   void BuildPassState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders,
                       std::vector<std::string>& unsupported);
+  /// CgFX's states that have no counterpart of one value in Direct3D; false when this is none of them.
+  bool BuildCgState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders);
+  void SetState(Pass& pass, RenderState state, ast::Expression& value, std::span<const struct Enumerant> values = {});
+  void FinishCgCulling(Pass& pass, const PassShaders& shaders);
   void WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported);
   void FindTargets(Technique& technique, Pass& pass);
+  // scripts
+  void BuildScripts();
+  void BuildScript(const ast::Technique& source, Technique& technique);
+  void BuildPassScript(const ast::Technique& source, Technique& technique, std::size_t pass);
+  void AddScriptCommand(const struct ScriptCommand& command, const ast::Technique& source, Technique& technique,
+                        std::optional<std::size_t> pass, const Range& range);
+  void ChooseByScript();
+  std::optional<std::size_t> FindParameter(const std::string& name, const std::string& command, const Range& range);
+  void WarnScript(const Range& range, const std::string& text);
   void CheckDataFlow(const Technique& technique, const Pass& pass, int index);
   [[nodiscard]] Value DefaultOf(const ast::Variable& variable) const;
 
@@ -78,6 +98,8 @@ class EffectBuilder {
   std::map<const ast::Variable*, std::size_t> parameters_;
   std::map<const ast::Variable*, std::size_t> textures_;
   std::map<SamplerBinding, std::size_t> samplers_;
+  bool is_scripted_ = false;        ///< some parameter is STANDARDSGLOBAL
+  bool draws_geometry_ = true;      ///< what a pass without a script of its own does
 };
 
 }  // namespace burin::fx

@@ -32,6 +32,20 @@ struct Parameter {
   Range range;
 };
 
+/// The two stages of one pass, emitted as a pair.
+struct ShaderProgram {
+  std::string vertex_glsl;
+  std::string fragment_glsl;
+  std::string vertex_entry;                 ///< "VSEdgeFilter", empty: the pass-through
+  std::string fragment_entry;               ///< empty: the pass has no pixel shader (depth and stencil only)
+  std::vector<std::size_t> parameters;      ///< indices in Effect::parameters that either stage reads
+  std::vector<std::size_t> samplers;        ///< indices in Effect::samplers, in the order of their texture units
+  std::vector<std::string> vertex_inputs;   ///< semantics read: "POSITION0", "TEXCOORD3"
+  int targets = 1;                          ///< fragment outputs written: highest index + 1
+  bool writes_depth = false;
+  bool alpha_test = false;                  ///< the text reads kUniformAlphaTest
+};
+
 /// GBA<attribute>_<FORMAT>[_S<scale>]
 struct AttributeRole {
   std::string attribute;    ///< lower case, a name of Options::attributes, or that of a technique GBA<attribute>
@@ -47,10 +61,26 @@ struct FileRole {
   std::string file;         ///< of ResourceName / name / source / texture annotations; empty: none named
 };
 
+/// A texture of the semantic RENDERCOLORTARGET or RENDERDEPTHSTENCILTARGET: a target of scripts.
+struct ScriptTargetRole {
+  bool is_depth_stencil = false;
+  double width_ratio = 1.0;   ///< against the frame
+  double height_ratio = 1.0;
+  int width = 0;              ///< in pixels; 0: by the ratio
+  int height = 0;
+};
+
+/// A texture that a function of the effect fills (annotation `function`), once, before the first frame.
+struct ProceduralRole {
+  std::string function;
+  int width = 0, height = 0, depth = 0;   ///< texels; depth of 3D textures only
+  ShaderProgram program;                  ///< one slice or face: kUniformTexel says which
+};
+
 struct Texture {
   std::string name;
   Dimension dimension = Dimension::k2D;
-  std::variant<FileRole, AttributeRole, PassResultRole> role;
+  std::variant<FileRole, AttributeRole, PassResultRole, ScriptTargetRole, ProceduralRole> role;
   Format format = Format::kA8R8G8B8;   ///< of attributes and pass results
   double scale = 1.0;                  ///< against the frame
   std::string semantic;
@@ -66,20 +96,6 @@ struct Sampler {
   Range range;
 };
 
-/// The two stages of one pass, emitted as a pair.
-struct ShaderProgram {
-  std::string vertex_glsl;
-  std::string fragment_glsl;
-  std::string vertex_entry;                 ///< "VSEdgeFilter", empty: the pass-through
-  std::string fragment_entry;               ///< empty: the pass has no pixel shader (depth and stencil only)
-  std::vector<std::size_t> parameters;      ///< indices in Effect::parameters that either stage reads
-  std::vector<std::size_t> samplers;        ///< indices in Effect::samplers, in the order of their texture units
-  std::vector<std::string> vertex_inputs;   ///< semantics read: "POSITION0", "TEXCOORD3"
-  int targets = 1;                          ///< fragment outputs written: highest index + 1
-  bool writes_depth = false;
-  bool alpha_test = false;                  ///< the text reads kUniformAlphaTest
-};
-
 struct Pass {
   std::string name;
   std::vector<EffectAnnotation> annotations;
@@ -87,13 +103,33 @@ struct Pass {
   ShaderProgram program;
   /// Indices in Effect::textures of this pass's targets, by target number; empty: it draws into the frame.
   std::vector<std::size_t> targets;
+  /// Without a script: the vertex shader takes vertices through the projection, so that it means a scene's geometry.
+  bool projects = false;
   Range range;
+};
+
+/// One step of a technique's script, the scripts of its passes put in where it runs them.
+struct ScriptStep {
+  enum class Action {
+    kColorTarget, kDepthStencilTarget,             ///< `texture`, or the frame's own
+    kSetClearColor, kSetClearDepth, kSetClearStencil,   ///< `parameter`
+    kClearColor, kClearDepth, kClearStencil,
+    kDrawGeometry, kDrawBuffer,                    ///< `pass`: over the scene's geometry, over the whole target
+    kDrawSource,                                   ///< ScriptExternal: the scene or picture as others draw it
+    kLoop, kLoopIndex, kLoopEnd                    ///< `parameter`: how often; what gets the turn's number
+  };
+  Action action{};
+  int index = 0;                            ///< of a colour target
+  std::size_t pass = 0;                     ///< in Technique::passes
+  std::optional<std::size_t> texture;
+  std::optional<std::size_t> parameter;
 };
 
 struct Technique {
   std::string name;
   std::vector<EffectAnnotation> annotations;
   std::vector<Pass> passes;
+  std::vector<ScriptStep> script;           ///< empty: its passes in order
   std::string custom_attribute;             ///< of a technique named GBA<attribute>: lower case; else empty
   std::vector<std::string> unsupported;     ///< why this host cannot run it ("pass P0: asm shaders"); empty: it can
   Range range;
@@ -108,6 +144,8 @@ struct Effect {
   std::vector<Technique> techniques;
   /// True when any texture has one of the extension's names: texel meets pixel with no half-pixel offset.
   bool uses_extension = false;
+  /// Indices of the techniques that the file's own script names, the first choice first; empty: in the file's order.
+  std::vector<std::size_t> preferred_techniques;
   std::shared_ptr<const ast::Module> module;
 };
 

@@ -23,7 +23,9 @@ void EffectBuilder::Build(bool write_programs) {
   BuildTextures();
   BuildSamplers();
   BuildTechniques();
+  BuildScripts();
   ResolveDimensions();
+  BuildProceduralTextures();
 }
 
 std::vector<EffectAnnotation> EffectBuilder::BuildAnnotations(std::vector<ast::Annotation>& annotations) {

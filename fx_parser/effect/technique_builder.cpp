@@ -27,6 +27,27 @@ bool SetsAlphaTest(const Pass& pass) {
   return sets;
 }
 
+bool IsFalse(const ast::Expression& value) {
+  if (const auto* literal = std::get_if<ast::BoolLiteral>(&value.node)) return !literal->value;
+  const auto* number = std::get_if<ast::IntLiteral>(&value.node);
+  return number != nullptr && number->value == 0;
+}
+
+/// Whether a texture stage's state leaves the diffuse colour as the result: SelectArg1 of Diffuse or Current, Disable.
+bool IsDiffuseStage(const ast::StateAssignment& state) {
+  const auto* value = std::get_if<ast::Name>(&state.value->node);
+  const auto* index = state.index != nullptr ? std::get_if<ast::IntLiteral>(&state.index->node) : nullptr;
+  const auto is = [&](std::string_view name) { return value != nullptr && EqualsIgnoringCase(value->name, name); };
+  const bool is_operation = EqualsIgnoringCase(state.name, "ColorOp") || EqualsIgnoringCase(state.name, "AlphaOp");
+  if (is_operation) return is("Disable") || is("SelectArg1") || (is("SelectArg2") && index && index->value == 0);
+  if (EqualsIgnoringCase(state.name, "ColorArg1") || EqualsIgnoringCase(state.name, "AlphaArg1") ||
+      EqualsIgnoringCase(state.name, "ColorArg2") || EqualsIgnoringCase(state.name, "AlphaArg2")) {
+    return is("Diffuse") || is("Current");
+  }
+  // What a texture is looked up with matters only with a texture.
+  return !EqualsIgnoringCase(state.name, "Texture") || is("NULL");
+}
+
 std::string PassTitle(const Pass& pass, int index) {
   return "pass " + (pass.name.empty() ? std::to_string(index) : "'" + pass.name + "'");
 }
@@ -47,6 +68,7 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
     shaders.pixel = ResolveShader(*assignment.value, false);
     return;
   }
+  if (assignment.index == nullptr && BuildCgState(assignment, pass, shaders)) return;
   const auto* info = FindState(RenderStates(), assignment.name);
   if (info != nullptr && assignment.index == nullptr) {
     auto value = ResolveState(*assignment.value, std::string(info->name), static_cast<int>(info->kind), info->values,
@@ -58,10 +80,12 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
     case OtherState::kHarmless:
       return;
     case OtherState::kFixedVertex:
-      shaders.fixed_vertex = true;
+      // Lighting = false and the like ask for what a shader does anyway.
+      shaders.fixed_vertex = shaders.fixed_vertex || !IsFalse(*assignment.value);
       return;
     case OtherState::kFixedPixel:
       shaders.fixed_pixel = true;
+      shaders.texture_stages = shaders.texture_stages || !IsDiffuseStage(assignment);
       return;
     case OtherState::kOtherStage: {
       const auto* name = std::get_if<ast::Name>(&assignment.value->node);
@@ -83,7 +107,8 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
   if (has_vertex && !shaders.vertex->unsupported.empty()) unsupported.push_back(shaders.vertex->unsupported);
   if (has_pixel && !shaders.pixel->unsupported.empty()) unsupported.push_back(shaders.pixel->unsupported);
   if (shaders.fixed_vertex && !has_vertex) unsupported.push_back("fixed-function vertex states");
-  if (shaders.fixed_pixel && !has_pixel) unsupported.push_back("fixed-function texture stages");
+  if (shaders.fixed_pixel && !has_pixel && (shaders.texture_stages || !has_vertex))
+    unsupported.push_back("fixed-function texture stages");
   if (!write_programs_ || !unsupported.empty() || (has_vertex && shaders.vertex->failed) ||
       (has_pixel && shaders.pixel->failed) || (shaders.vertex && shaders.vertex->failed) ||
       (shaders.pixel && shaders.pixel->failed)) {
@@ -178,6 +203,7 @@ void EffectBuilder::BuildPass(ast::Pass& source, Technique& technique) {
   PassShaders shaders;
   std::vector<std::string> unsupported;
   for (ast::StateAssignment& assignment : source.states) BuildPassState(assignment, pass, shaders, unsupported);
+  FinishCgCulling(pass, shaders);
   WritePrograms(pass, shaders, unsupported);
   FindTargets(technique, pass);
   const int index = static_cast<int>(technique.passes.size());

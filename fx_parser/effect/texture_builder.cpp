@@ -8,6 +8,9 @@
 namespace burin::fx {
 namespace {
 
+/// Width and height that Dimensions may ask for, as of Direct3D's largest devices.
+constexpr int kMaxScriptTarget = 16384;
+
 const std::string* StringAnnotation(const std::vector<EffectAnnotation>& annotations, std::string_view name) {
   const EffectAnnotation* annotation = FindAnnotation(annotations, name);
   if (annotation == nullptr || annotation->value.strings.empty() || annotation->value.strings[0].empty())
@@ -32,6 +35,48 @@ Dimension AnnotatedDimension(const std::vector<EffectAnnotation>& annotations) {
     if (EqualsIgnoringCase(*text, "2D")) return Dimension::k2D;
   }
   return Dimension::kUnknown;
+}
+
+bool IsScriptTarget(std::string_view semantic) {
+  return EqualsIgnoringCase(semantic, "RenderColorTarget") || EqualsIgnoringCase(semantic, "RenderDepthStencilTarget");
+}
+
+/// The formats of targets, and the names of others that hold the same.
+std::optional<Format> FindScriptFormat(std::string_view name) {
+  if (EqualsIgnoringCase(name, "A8B8G8R8")) return Format::kA8R8G8B8;
+  if (EqualsIgnoringCase(name, "X8B8G8R8") || EqualsIgnoringCase(name, "R8G8B8")) return Format::kX8R8G8B8;
+  if (EqualsIgnoringCase(name, "A2R10G10B10")) return Format::kA2B10G10R10;
+  return FindFormat(name);
+}
+
+/// Component `i` of a numeric annotation.
+std::optional<double> NumberAnnotation(const std::vector<EffectAnnotation>& annotations, std::string_view name,
+                                       std::size_t i = 0) {
+  const EffectAnnotation* annotation = FindAnnotation(annotations, name);
+  if (annotation == nullptr || i >= annotation->value.numbers.size()) return std::nullopt;
+  return annotation->value.numbers[i];
+}
+
+/// ViewportRatio, or Dimensions, or Width and Height; without any of them the frame's size.
+ScriptTargetRole ScriptTarget(const Texture& texture) {
+  ScriptTargetRole role;
+  role.is_depth_stencil = EqualsIgnoringCase(texture.semantic, "RenderDepthStencilTarget");
+  const auto pixels = [&](std::string_view own, std::size_t component) {
+    const auto length = NumberAnnotation(texture.annotations, own).or_else([&] {
+      return NumberAnnotation(texture.annotations, "Dimensions", component);
+    });
+    return length && *length >= 1 ? static_cast<int>(std::min(*length, double{kMaxScriptTarget})) : 0;
+  };
+  const auto ratio = [&](std::size_t component) {
+    const auto value = NumberAnnotation(texture.annotations, "ViewportRatio", component);
+    return value && *value > 0 ? std::min(*value, kMaxScale) : 1.0;
+  };
+  role.width = pixels("Width", 0);
+  role.height = pixels("Height", 1);
+  if (role.width == 0 || role.height == 0) role.width = role.height = 0;
+  role.width_ratio = ratio(0);
+  role.height_ratio = ratio(1);
+  return role;
 }
 
 bool IsCustomTechnique(const ast::Technique& technique) {
@@ -71,6 +116,21 @@ void EffectBuilder::BuildTexture(ast::Variable& variable) {
                                ToString(variable.type));
       }
       texture.dimension = Dimension::k2D;
+    }
+  } else if (IsScriptTarget(texture.semantic)) {
+    const ScriptTargetRole role = ScriptTarget(texture);
+    texture.role = role;
+    texture.scale = role.width_ratio;
+    if (texture.dimension == Dimension::kUnknown) texture.dimension = Dimension::k2D;
+    if (const std::string* format = StringAnnotation(texture.annotations, "Format")) {
+      const auto found = FindScriptFormat(*format);
+      if (found) texture.format = *found;
+      const bool is_depth = std::get<ScriptTargetRole>(texture.role).is_depth_stencil;
+      if (!found && !is_depth) {
+        diagnostics_.Warning(variable.range, "B1019",
+                             "texture '" + variable.name + "': no render target has the format '" + *format +
+                                 "' here; A8R8G8B8 stands in for it");
+      }
     }
   } else {
     texture.role = FileRole{FileOf(texture.annotations)};

@@ -31,13 +31,20 @@ SamplerBinding FunctionWriter::ResolveSampler(const ast::Expression& e) {
   }
   if (const auto* index = std::get_if<ast::Index>(&e.node)) {
     SamplerBinding binding = ResolveSampler(*index->operand);
-    const auto at = Evaluate(*index->index);
+    const auto at = stage_.ConstantOf(*index->index);
     if (binding.sampler == nullptr) return {};
     if (!at || at->numbers.empty() || binding.element >= 0) {
       stage_.Error(index->index->range, "X3512", "sampler array index must be a literal expression");
       return {};
     }
-    binding.element = static_cast<int>(at->numbers[0]);
+    const double element = at->numbers[0];
+    const auto& sizes = binding.sampler->type.array;
+    if (sizes.size() != 1 || !(element >= 0) || element >= sizes[0]) {
+      stage_.Error(index->index->range, "X3504",
+                   "index out of bounds: '" + binding.sampler->name + "' is a " + ToString(binding.sampler->type));
+      return {};
+    }
+    binding.element = static_cast<int>(element);
     return binding;
   }
   if (const auto* cast = std::get_if<ast::Cast>(&e.node)) return ResolveSampler(*cast->operand);
@@ -102,18 +109,54 @@ std::string FunctionWriter::UserCall(const ast::Expression& e, const ast::Call& 
 
 /// The vertex stage has no derivatives: its look-ups take the top level, as those of Direct3D 9's vs_3_0 with level 0.
 std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call) {
-  const SamplerBinding binding = ResolveSampler(*n.arguments[0]);
-  if (binding.sampler == nullptr) return "vec4(0.0)";
-  std::vector<std::string> texts = {stage_.SamplerName(binding, LookupDimension(intrinsic), n.arguments[0]->range)};
+  std::string chosen;  // the element's number, where it is known only as the shader runs
   std::string setup;
+  const std::vector<SamplerBinding> bindings = LookupSamplers(*n.arguments[0], chosen, setup);
+  std::vector<std::string> texts = {""};
   for (std::size_t i = 1; i < n.arguments.size(); ++i) {
     std::string text = ExpressionAs(*n.arguments[i], call.parameters[i]);
     const std::string mark = "$" + std::to_string(i);
     const std::size_t first = intrinsic.glsl.find(mark);
     const bool twice =
         first != std::string_view::npos && intrinsic.glsl.find(mark, first + 1) != std::string_view::npos;
-    texts.push_back(twice ? Reusable(text, call.parameters[i], setup) : text);
+    texts.push_back(twice || bindings.size() > 1 ? Reusable(text, call.parameters[i], setup) : text);
   }
+  std::string text;
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    texts[0] = stage_.SamplerName(bindings[i], LookupDimension(intrinsic), n.arguments[0]->range);
+    if (i + 1 < bindings.size()) text += chosen + " == " + std::to_string(i) + " ? ";
+    text += LookupText(intrinsic, texts) + (i + 1 < bindings.size() ? " : " : "");
+  }
+  if (bindings.empty()) return "vec4(0.0)";
+  if (bindings.size() > 1) text = "(" + text + ")";
+  const auto components = static_cast<std::size_t>(call.result.components());
+  if (components < 4) text += "." + std::string("xyzw").substr(0, components);
+  return Sequence(setup, text);
+}
+
+/// One sampler, or all of an array whose element is chosen as the shader runs: then a look-up becomes a choice.
+std::vector<SamplerBinding> FunctionWriter::LookupSamplers(const ast::Expression& e, std::string& chosen,
+                                                           std::string& setup) {
+  const auto* index = std::get_if<ast::Index>(&e.node);
+  if (index == nullptr || stage_.ConstantOf(*index->index)) {
+    const SamplerBinding binding = ResolveSampler(e);
+    return binding.sampler == nullptr ? std::vector<SamplerBinding>() : std::vector{binding};
+  }
+  const SamplerBinding array = ResolveSampler(*index->operand);
+  if (array.sampler == nullptr) return {};
+  if (array.element >= 0 || array.sampler->type.array.size() != 1) {
+    stage_.Error(e.range, "B1015", "a sampler of the file was expected here");
+    return {};
+  }
+  const Type number = ScalarType(Scalar::kInt);
+  chosen = Reusable(ExpressionAs(*index->index, number), number, setup);
+  std::vector<SamplerBinding> elements;
+  for (std::uint32_t i = 0; i < array.sampler->type.array[0]; ++i)
+    elements.push_back({array.sampler, static_cast<int>(i)});
+  return elements;
+}
+
+std::string FunctionWriter::LookupText(const Intrinsic& intrinsic, const std::vector<std::string>& texts) const {
   std::string form(intrinsic.glsl);
   if (stage_.stage() == Stage::kVertex && (intrinsic.traits & kImplicitDerivatives) != 0) {
     const bool projects = form.starts_with("textureProj");
@@ -129,7 +172,7 @@ std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsi
     else
       text += form[i];
   }
-  return Sequence(setup, text);
+  return text;
 }
 
 /// Matrices are held with HLSL's rows as GLSL's columns, so products swap sides. Those of one row or column are

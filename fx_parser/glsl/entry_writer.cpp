@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fx_parser/glsl/interface.h"
+#include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
 
 namespace burin::fx {
@@ -149,6 +150,9 @@ std::string EntryWriter::Write() {
         bindings[parameter.get()] = binding;
       } else {
         arguments.push_back(main_.ExpressionAs(*value, parameter->type));
+        // Not where the function writes to it.
+        if (auto known = stage_.is_written(*parameter) ? std::nullopt : EvaluateAs(*value, parameter->type))
+          stage_.SetConstant(*parameter, *std::move(known));
       }
       continue;
     }
@@ -197,6 +201,8 @@ std::string EntryWriter::Write() {
 }
 
 std::string FragmentEntry::Input(const Semantic& semantic, const std::string& written_as, const Range&) {
+  if (fills_texture && semantic.name == "POSITION") return "burin_texel_position()";
+  if (fills_texture && semantic.name == "PSIZE") return std::string(kUniformTexel);
   if (semantic.name == "VPOS") return "vec4(gl_FragCoord.xy - 0.5, gl_FragCoord.zw)";
   if (semantic.name == "VFACE") return "vec4(gl_FrontFacing ? 1.0 : -1.0)";
   if (Upper(written_as).starts_with("SV_POSITION")) return "vec4(gl_FragCoord.xyz, 1.0 / gl_FragCoord.w)";

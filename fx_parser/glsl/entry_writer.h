@@ -48,6 +48,7 @@ class FragmentEntry final : public EntryWriter {
   std::vector<Semantic> varyings;  ///< read, in order of first use
   std::set<int> targets;
   bool writes_depth = false;
+  bool fills_texture = false;
 
  private:
   std::string Input(const Semantic& semantic, const std::string& written_as, const Range& range) override;

@@ -128,6 +128,8 @@ class FunctionWriter {
   std::string UserCall(const ast::Expression& e, const ast::Call& n);
   std::string IntrinsicText(const ast::Expression& e, const ast::Call& n);
   std::string Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call);
+  std::vector<SamplerBinding> LookupSamplers(const ast::Expression& e, std::string& chosen, std::string& setup);
+  [[nodiscard]] std::string LookupText(const Intrinsic& intrinsic, const std::vector<std::string>& texts) const;
   std::string Mul(const std::string& a, const Type& a_type, const std::string& b, const Type& b_type);
   std::string Componentwise(const Intrinsic& intrinsic, const IntrinsicCall& call,
                             const std::vector<std::string>& arguments);

@@ -54,6 +54,33 @@ std::string AlphaTest() {
          "}\n";
 }
 
+/// Texture coordinates of a texel's centre, of cubes the direction through it (OpenGL 4.5, table 8.19, which is
+/// Direct3D's too).
+std::string TexelPosition() {
+  const std::string uniform(kUniformTexel);
+  return "uniform vec4 " + uniform +
+         ";\n"
+         "vec4 burin_texel_position() {\n"
+         "  vec2 place = gl_FragCoord.xy * " +
+         uniform +
+         ".xy;\n"
+         "  if (" +
+         uniform + ".z != 0.0) return vec4(place, (" + uniform + ".w + 0.5) * " + uniform +
+         ".z, 1.0);\n"
+         "  vec2 p = place * 2.0 - 1.0;\n"
+         "  switch (int(" +
+         uniform +
+         ".w)) {\n"
+         "    case 0: return vec4(1.0, -p.y, -p.x, 1.0);\n"
+         "    case 1: return vec4(-1.0, -p.y, p.x, 1.0);\n"
+         "    case 2: return vec4(p.x, 1.0, p.y, 1.0);\n"
+         "    case 3: return vec4(p.x, -1.0, -p.y, 1.0);\n"
+         "    case 4: return vec4(p.x, -p.y, 1.0, 1.0);\n"
+         "  }\n"
+         "  return vec4(-p.x, -p.y, -1.0, 1.0);\n"
+         "}\n";
+}
+
 void Collect(const StageWriter& stage, ProgramText& program) {
   program.parameters.insert(stage.parameters().begin(), stage.parameters().end());
   for (const SamplerBinding& binding : stage.sampler_order()) {
@@ -63,13 +90,30 @@ void Collect(const StageWriter& stage, ProgramText& program) {
   for (const auto& [binding, dimension] : stage.samplers()) program.dimensions.emplace(binding, dimension);
 }
 
+/// Without a pixel shader: the diffuse colour, as Direct3D's texture stages give it where they have no texture.
+void WriteDiffuse(const ProgramRequest& request, ProgramText& program, std::vector<Semantic>& varyings) {
+  const Semantic diffuse{"COLOR", 0};
+  varyings.push_back(diffuse);
+  program.targets = 1;
+  std::string main = "  burin_out0 = " + VaryingName(diffuse) + ";\n";
+  if (request.alpha_test) main += "  if (!burin_alpha_passes(burin_out0.a)) discard;\n";
+  program.fragment_glsl = kHeader + VaryingDeclarations(varyings, "in") +
+                          "layout(location = 0) out vec4 burin_out0;\n" + (request.alpha_test ? AlphaTest() : "") +
+                          "void main() {\n" + main + "}\n";
+}
+
 bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramText& program,
                    std::vector<Semantic>& varyings) {
-  if (request.fragment.function == nullptr) {
+  if (request.fragment.function == nullptr && request.vertex.function == nullptr) {
     program.fragment_glsl = std::string(kHeader) + "void main() {\n}\n";
     return true;
   }
+  if (request.fragment.function == nullptr) {
+    WriteDiffuse(request, program, varyings);
+    return true;
+  }
   FragmentEntry entry(stage, request.fragment);
+  entry.fills_texture = request.fills_texture;
   std::string main = entry.Write();
   if (stage.failed()) return false;
   varyings = entry.varyings;
@@ -82,6 +126,7 @@ bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramTex
     text += "layout(location = " + std::to_string(target) + ") out vec4 burin_out" + std::to_string(target) + ";\n";
   }
   if (alpha_test) text += AlphaTest();
+  if (request.fills_texture) text += TexelPosition();
   program.fragment_glsl = text + stage.Declarations() + "void main() {\n" + main + "}\n";
   Collect(stage, program);
   return true;
@@ -123,7 +168,10 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
     }
     inputs = entry.inputs;
     for (const Semantic& varying : varyings) {
-      if (!entry.written.contains(varying.Key())) main += "  " + VaryingName(varying) + " = vec4(0.0);\n";
+      if (entry.written.contains(varying.Key())) continue;
+      // The fixed pixel stage takes white for a diffuse colour that no one gives.
+      const bool is_fixed = request.fragment.function == nullptr;
+      main += "  " + VaryingName(varying) + (is_fixed ? " = vec4(1.0);\n" : " = vec4(0.0);\n");
     }
   }
   std::string text = kHeader + InputDeclarations(inputs) + VaryingDeclarations(varyings, "out");

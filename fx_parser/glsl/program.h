@@ -23,6 +23,7 @@ struct ProgramRequest {
   EntryPoint fragment;
   bool alpha_test = false;
   bool pixel_offset = false;
+  bool fills_texture = false;   ///< the fragment's POSITION and PSIZE are a texel's place and size: kUniformTexel
 };
 
 struct ProgramText {

@@ -198,6 +198,13 @@ std::string StageWriter::FunctionName(const ast::Function& function, const Sampl
   return name;
 }
 
+std::optional<Value> StageWriter::ConstantOf(const ast::Expression& expression) const {
+  return Evaluate(expression, [this](const ast::Variable& variable) -> const Value* {
+    const auto at = constants_.find(&variable);
+    return at == constants_.end() ? nullptr : &at->second;
+  });
+}
+
 std::string StageWriter::Declarations() const {
   std::string text;
   std::set<const ast::Variable*> declared;

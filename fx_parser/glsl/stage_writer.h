@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "fx_parser/effect/value.h"
 #include "fx_parser/glsl/names.h"
 #include "fx_parser/glsl/prelude.h"
 #include "fx_parser/semantics/checker.h"
@@ -63,6 +64,11 @@ class StageWriter {
   /// Writes a literal initialiser as a constant at file scope; false when its value is not known here.
   bool DeclareConstant(const ast::Variable& variable);
 
+  /// The entry point's uniform parameters have the values of its compile expression.
+  void SetConstant(const ast::Variable& parameter, Value value) { constants_[&parameter] = std::move(value); }
+  /// The expression's value where it is known here; empty otherwise.
+  [[nodiscard]] std::optional<Value> ConstantOf(const ast::Expression& expression) const;
+
   /// All declarations, in the order GLSL needs. `initialisers()` belongs at the top of main.
   [[nodiscard]] std::string Declarations() const;
   [[nodiscard]] const std::string& initialisers() const { return initialisers_; }
@@ -94,6 +100,7 @@ class StageWriter {
   std::unordered_map<const ast::Struct*, std::string> struct_names_;
   std::map<InstanceKey, std::string> instances_;
   std::set<PreludeFunction> prelude_;
+  std::map<const ast::Variable*, Value> constants_;
   std::vector<const ast::Variable*> parameters_;
   std::map<SamplerBinding, Dimension> samplers_;
   std::vector<SamplerBinding> sampler_order_;

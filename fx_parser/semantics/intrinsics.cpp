@@ -89,6 +89,7 @@ constexpr Intrinsic kIntrinsics[] = {
     {"tex2Dgrad", "4:q222", "textureGrad($0, $1, $2, $3)"},
     {"tex2Dlod", "4:q4", "textureLod($0, ($1).xy, ($1).w)"},
     {"tex2Dproj", "4:q4", "textureProj($0, $1)", kLookup},
+    {"tex2Dproj", "4:q3", "textureProj($0, $1)", kLookup},  // Cg's
     {"tex3D", "4:r3", "texture($0, $1)", kLookup},
     {"tex3D", "4:r333", "textureGrad($0, $1, $2, $3)"},
     {"tex3Dbias", "4:r4", "texture($0, ($1).xyz, ($1).w)", kLookup},
@@ -101,6 +102,20 @@ constexpr Intrinsic kIntrinsics[] = {
     {"texCUBEgrad", "4:c333", "textureGrad($0, $1, $2, $3)"},
     {"texCUBElod", "4:c4", "textureLod($0, ($1).xyz, ($1).w)"},
     {"texCUBEproj", "4:c4", "texture($0, ($1).xyz / ($1).w)", kLookup},
+    // Cg's look-ups by pixel, and those of its old profiles that say what they return.
+    {"texRECT", "4:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"f1tex2D", "f:q2", "texture($0, $1)", kLookup},
+    {"f2tex2D", "2:q2", "texture($0, $1)", kLookup},
+    {"f3tex2D", "3:q2", "texture($0, $1)", kLookup},
+    {"f4tex2D", "4:q2", "texture($0, $1)", kLookup},
+    {"h1tex2D", "f:q2", "texture($0, $1)", kLookup},
+    {"h2tex2D", "2:q2", "texture($0, $1)", kLookup},
+    {"h3tex2D", "3:q2", "texture($0, $1)", kLookup},
+    {"h4tex2D", "4:q2", "texture($0, $1)", kLookup},
+    {"f3texCUBE", "3:c3", "texture($0, $1)", kLookup},
+    {"f4texCUBE", "4:c3", "texture($0, $1)", kLookup},
+    {"h3texCUBE", "3:c3", "texture($0, $1)", kLookup},
+    {"h4texCUBE", "4:c3", "texture($0, $1)", kLookup},
     {"transpose", "m:M", "transpose"},
     {"trunc", "F:F", "trunc"},
 };

@@ -33,6 +33,7 @@ constexpr ObjectName kObjects[] = {
     {"texture2D", TypeKind::kTexture, Dimension::k2D},
     {"texture3D", TypeKind::kTexture, Dimension::k3D},
     {"textureCUBE", TypeKind::kTexture, Dimension::kCube},
+    {"textureRECT", TypeKind::kTexture, Dimension::k2D},
     {"sampler", TypeKind::kSampler},
     {"sampler1D", TypeKind::kSampler, Dimension::k1D},
     {"sampler2D", TypeKind::kSampler, Dimension::k2D},

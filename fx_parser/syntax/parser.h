@@ -80,6 +80,7 @@ class Parser {
   bool ParseGlobal(ast::Module& module);
   bool ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, std::unique_ptr<ast::Struct>& structure);
   bool ParseBuffer(ast::Module& module);
+  bool RefuseInterface();
   bool ParseNamespace(ast::Module& module);
 
   // parse_structs.cpp

@@ -42,6 +42,7 @@ TokenStream Preprocessor::Run(const std::string& path) {
 
 void Preprocessor::DefineBuiltins() {
   DefineFromOption("DIRECT3D_VERSION", "0x900");
+  DefineFromOption("FXCOMPOSER_VERSION", "180");   // the host that most effects with scripts were written for
   DefineFromOption("BURIN", "1");
   for (const auto& [name, kind] : {std::pair("__FILE__", Macro::Builtin::kFile), {"__LINE__", Macro::Builtin::kLine}}) {
     auto macro = std::make_shared<Macro>();

@@ -53,6 +53,18 @@ class Check(BurinTest):
         self.assertIn("inc", stderr)
         self.assertEqual(self.lines_of(stderr, "e.fx"), [1], stderr)
 
+    def test_glsl_writes_the_shaders_of_every_pass(self):
+        self.write("e.fx", "float4 A(float2 uv : TEXCOORD0) : COLOR { return uv.xyxy; }\n"
+                           "technique First { pass P { PixelShader = compile ps_2_0 A(); } pass { PixelShader = compile "
+                           "ps_2_0 A(); } }\ntechnique { pass P { PixelShader = compile ps_2_0 A(); } }\n")
+        self.burin("check", "e.fx", "--glsl", "out/glsl", "-q")
+        names = sorted(path.name for path in (self.folder / "out/glsl").iterdir())
+        self.assertEqual(names, ["e.1.P.frag", "e.1.P.vert", "e.First.1.frag", "e.First.1.vert", "e.First.P.frag",
+                                 "e.First.P.vert"])
+        self.assertTrue((self.folder / "out/glsl/e.1.P.frag").read_text().startswith("#version 450 core"))
+        self.write("file", "")
+        self.assertIn("'file'", self.burin("check", "e.fx", "--glsl", "file", status=1).stderr)
+
     def test_include_cycles_end(self):
         self.write("a.fxh", '#include "b.fxh"\n')
         self.write("b.fxh", '#include "a.fxh"\n')

@@ -59,6 +59,14 @@ float4 VS(float4 p : POSITION, out float4 t : TEXCOORD0) : POSITION
     return p;
 }
 
-float4 PS(float4 t : TEXCOORD0) : COLOR { return Lookups(t) + Maths(t, float3x3(t.xyz, t.yzw, t.zwx)); }
+float4 CgLookups(float4 t)
+{
+    float4 r = texRECT(s2, t.xy) + f4tex2D(s2, t.xy) + h4tex2D(s2, t.xy) + f4texCUBE(cube, t.xyz) + h4texCUBE(cube, t.xyz);
+    r.xyz += f3tex2D(s2, t.xy) + h3tex2D(s2, t.xy) + f3texCUBE(cube, t.xyz) + h3texCUBE(cube, t.xyz);
+    r.xy += f2tex2D(s2, t.xy) + h2tex2D(s2, t.xy);
+    return r + f1tex2D(s2, t.xy) + h1tex2D(s2, t.xy);
+}
+
+float4 PS(float4 t : TEXCOORD0) : COLOR { return CgLookups(t) + Lookups(t) + Maths(t, float3x3(t.xyz, t.yzw, t.zwx)); }
 
 technique T { pass { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }

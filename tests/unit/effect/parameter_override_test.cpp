@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/effect/parameter_range.h"
 #include "tests/unit/effect/hand_built_effect.h"
 
 namespace burin::effect {
@@ -61,7 +62,8 @@ TEST(ParseOverrides, TakesBoolsInWords) {
 
 TEST(ParseOverrides, TakesTextsAndFiles) {
   const EffectBuilder builder = Effect();
-  const auto overrides = ParseOverrides(builder.effect, {{"Title", "a, b"}, {"Paper", "one.png"}, {"Paper", "two.png"}});
+  const auto overrides =
+      ParseOverrides(builder.effect, {{"Title", "a, b"}, {"Paper", "one.png"}, {"Paper", "two.png"}});
   ASSERT_TRUE(overrides.has_value());
   EXPECT_EQ(overrides->parameters.at(6).strings, (std::vector<std::string>{"a, b"}));
   EXPECT_EQ(overrides->textures.at(0), "two.png");
@@ -87,10 +89,34 @@ TEST(ParseOverrides, RefusesWrongTypes) {
 
 TEST(ParseOverrides, RefusesUnknownNamesAndSuggestsNearOnes) {
   EXPECT_EQ(ErrorOf("Sigmas", "1"), "test.fx has no parameter 'Sigmas'; did you mean 'Sigma'?");
-  EXPECT_EQ(ErrorOf("Temperature", "1"),
-            "test.fx has no parameter 'Temperature'; it has Sigma, Color, Count, On, Matrix, Points, Title, Light, Paper");
-  EXPECT_EQ(ErrorOf("GBAcolor_A8R8G8B8", "x.png"), "texture 'GBAcolor_A8R8G8B8' of test.fx is rendered and takes no file");
+  EXPECT_EQ(
+      ErrorOf("Temperature", "1"),
+      "test.fx has no parameter 'Temperature'; it has Sigma, Color, Count, On, Matrix, Points, Title, Light, Paper");
+  EXPECT_EQ(ErrorOf("GBAcolor_A8R8G8B8", "x.png"),
+            "texture 'GBAcolor_A8R8G8B8' of test.fx is rendered and takes no file");
   EXPECT_EQ(ErrorOf("Paper", ""), "texture 'Paper' of test.fx: no file named");
+}
+
+TEST(RangeWarnings, NameWhatIsOutsideTheEffectsLimits) {
+  EffectBuilder builder;
+  const auto number = [](const std::string& name, std::vector<double> numbers) {
+    return fx::EffectAnnotation{name, {fx::ScalarType(fx::Scalar::kFloat), std::move(numbers), {}}};
+  };
+  builder.Parameter("Glow", fx::ScalarType(fx::Scalar::kFloat)).annotations = {number("uimin", {0}),
+                                                                               number("UIMax", {2})};
+  builder.Parameter("Free", fx::ScalarType(fx::Scalar::kFloat));
+  builder.Parameter("Tint", fx::VectorType(fx::Scalar::kFloat, 2)).annotations = {number("ui_max", {1, 4})};
+  const auto warnings = [&](const std::string& name, const std::string& value) {
+    const auto overrides = ParseOverrides(builder.effect, {{name, value}});
+    return overrides ? RangeWarnings(builder.effect, *overrides) : std::vector<std::string>{"?"};
+  };
+  EXPECT_TRUE(warnings("Glow", "2").empty());
+  EXPECT_TRUE(warnings("Free", "99").empty());
+  EXPECT_TRUE(warnings("Tint", "1,3").empty());
+  EXPECT_EQ(warnings("Glow", "2.5"),
+            std::vector<std::string>{"test.fx: parameter 'Glow' is 2.5, above its greatest 2"});
+  EXPECT_EQ(warnings("Glow", "-1"), std::vector<std::string>{"test.fx: parameter 'Glow' is -1, below its least 0"});
+  EXPECT_EQ(warnings("Tint", "0,5"), std::vector<std::string>{"test.fx: parameter 'Tint' is 5, above its greatest 4"});
 }
 
 }  // namespace

@@ -165,6 +165,7 @@ TEST(Techniques, WhatThisHostLacksIsAReasonNotAnError) {
       "technique E { pass P0 { GeometryShader = compile gs_4_0 VS(); PixelShader = compile ps_2_0 One(); } }\n"
       "technique F { pass P0 { Lighting = true; PixelShader = compile ps_2_0 One(); } }\n"
       "technique G { }\n"
+      "technique I { pass P0 { Lighting = false; SpecularEnable = 0; PixelShader = compile ps_2_0 One(); } }\n"
       "technique H { pass P0 { VertexShader = NULL; PixelShader = compile ps_2_0 One(); GeometryShader = NULL; } }\n");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto reasons = [&](std::size_t i) { return result.effect->techniques[i].unsupported; };
@@ -177,6 +178,7 @@ TEST(Techniques, WhatThisHostLacksIsAReasonNotAnError) {
   EXPECT_THAT(reasons(5), ElementsAre("pass 'P0': fixed-function vertex states"));
   EXPECT_THAT(reasons(6), ElementsAre("it has no passes"));
   EXPECT_THAT(reasons(7), ElementsAre());
+  EXPECT_THAT(reasons(8), ElementsAre());
 }
 
 TEST(Techniques, ShadersComeFromVariablesAndArrays) {
@@ -194,7 +196,7 @@ TEST(Techniques, ShadersComeFromVariablesAndArrays) {
   EXPECT_EQ(passes[1].program.vertex_entry, "A");
   EXPECT_EQ(passes[1].program.fragment_entry, "One");
   EXPECT_EQ(passes[2].program.fragment_entry, "");
-  EXPECT_EQ(passes[2].program.targets, 0);
+  EXPECT_EQ(passes[2].program.targets, 1);  // the diffuse colour
   EXPECT_EQ(
       Messages(result),
       "7:45: warning: a shader is chosen by the parameter's initial value, not by what it is set to later [B1011]\n");

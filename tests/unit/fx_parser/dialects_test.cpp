@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small effects in the style of Direct3D 9's samples, FX Composer's library and CgFX, and what those dialects differ
+// in.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "fx_parser/source/legacy_encoding.h"
+#include "tests/unit/fx_parser/compile_effect.h"
+
+namespace burin::fx {
+namespace {
+
+using test::Messages;
+
+TEST(Dialects, FilesCompileToValidGlsl) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(test::DataFile("dialects")))
+    paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  EXPECT_GE(paths.size(), 12u);
+  Options options;
+  options.attributes = test::Attributes();
+  for (const std::string& path : paths) {
+    const CompileResult result = CompileEffect(path, DiskFileSystem(), options);
+    ASSERT_TRUE(result.effect) << path << "\n" << Messages(result);
+    for (const Technique& technique : result.effect->techniques) {
+      EXPECT_TRUE(technique.unsupported.empty()) << path;
+      for (const Pass& pass : technique.passes) {
+        if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(pass.program), "") << path;
+      }
+    }
+  }
+}
+
+TEST(Dialects, CgsLookUpsSayWhatTheyReturn) {
+  const CompileResult result = test::Compile(test::PixelEffect(
+      "return float4(f1tex2D(s, t.xy), h3tex2D(s, t.xy)) + f4tex2D(s, t.xy) + texRECT(r, t.xy) + tex2Dproj(s, t.xyz);",
+      "sampler2D s; samplerRECT r;"));
+  EXPECT_EQ(Messages(result), "");
+  ASSERT_TRUE(result.effect);
+  const ShaderProgram& program = result.effect->techniques[0].passes[0].program;
+  EXPECT_NE(program.fragment_glsl.find("textureSize(burin_s_r, 0)"), std::string::npos);
+  if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(program), "");
+}
+
+TEST(Dialects, InterfacesAreRefusedOnce) {
+  EXPECT_EQ(Messages("interface Light { float3 Shine(float3 p); float a; };\nLight lights[2]; float b;"),
+            "1:1: error: Cg's interfaces are not supported [B1203]\n");
+}
+
+TEST(Dialects, SamplerArraysTakeIndicesOfTheCompileExpression) {
+  const std::string declarations =
+      "sampler s[3]; float4 PS(float2 t : TEXCOORD0, uniform int i) : COLOR { return tex2D(s[i + 1], t); }\n";
+  const CompileResult result =
+      test::Compile(declarations + "technique T { pass P { PixelShader = compile ps_2_0 PS(1); } }");
+  EXPECT_EQ(Messages(result), "");
+  ASSERT_TRUE(result.effect);
+  ASSERT_EQ(result.effect->techniques[0].passes[0].program.samplers.size(), 1u);
+  EXPECT_EQ(result.effect->samplers[result.effect->techniques[0].passes[0].program.samplers[0]].name, "s[2]");
+  EXPECT_EQ(Messages(declarations + "technique T { pass P { PixelShader = compile ps_2_0 PS(2); } }"),
+            "1:87: error: index out of bounds: 's' is a sampler[3] [X3504]\n");
+}
+
+TEST(Dialects, WithoutAPixelShaderTheDiffuseColourIsDrawn) {
+  const std::string vertex = "float4 VS(float4 p : POSITION, out float4 c : COLOR0) : POSITION { c = p; return p; }\n";
+  for (const char* states : {"PixelShader = NULL;", "",
+                             "ColorOp[0] = SelectArg1; ColorArg1[0] = Diffuse; ColorOp[1] = "
+                             "Disable; Texture[0] = NULL; MinFilter[0] = Linear;"}) {
+    const CompileResult result =
+        test::Compile(vertex + "technique T { pass P { VertexShader = compile vs_2_0 VS(); " + states + " } }");
+    ASSERT_TRUE(result.effect) << Messages(result);
+    const Technique& technique = result.effect->techniques[0];
+    EXPECT_TRUE(technique.unsupported.empty());
+    EXPECT_EQ(technique.passes[0].program.targets, 1);
+    if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(technique.passes[0].program), "");
+  }
+  const CompileResult textured =
+      test::Compile("texture t; " + vertex +
+                    "technique T { pass P { VertexShader = compile vs_2_0 VS(); Texture[0] = <t>; "
+                    "ColorOp[0] = Modulate; } }");
+  ASSERT_TRUE(textured.effect);
+  EXPECT_EQ(textured.effect->techniques[0].unsupported,
+            (std::vector<std::string>{"pass 'P': fixed-function texture stages"}));
+}
+
+TEST(ProceduralTextures, NeedAFunctionWithSemantics) {
+  const std::string use =
+      "float4 PS() : COLOR { return 1; } technique T { pass { PixelShader = compile ps_2_0 PS(); } }";
+  EXPECT_EQ(
+      Messages("texture t < string function = \"Mak\"; >; float4 Make(float2 p : POSITION) : COLOR { return 1; }" +
+               use),
+      "1:9: warning: texture 't': there is no function 'Mak' to fill it; did you mean 'Make'? [B1022]\n");
+  EXPECT_EQ(Messages("texture t < string function = \"Make\"; >; float4 Make(float2 p) : COLOR { return 1; }" + use),
+            "1:9: warning: texture 't': 'Make' cannot fill it: its parameters and result need semantics [B1022]\n");
+}
+
+TEST(LegacyEncoding, TellsJapaneseFromEuropeanBytes) {
+  EXPECT_TRUE(IsUtf8("caf\xC3\xA9 \xE8\xA1\xA8"));
+  EXPECT_FALSE(IsUtf8("caf\xE9"));
+  EXPECT_TRUE(LooksLikeCp932("// \x95\x5C\x8E\xA6"));
+  EXPECT_FALSE(LooksLikeCp932("// caf\xE9 \xA9 f\xFCr"));
+  EXPECT_FALSE(LooksLikeCp932("// \x93quoted\x94 text"));
+  EXPECT_EQ(Utf8FromCp932("\x95\x5C\x8E\xA6"), "\xE8\xA1\xA8\xE7\xA4\xBA");
+}
+
+// The second byte of the first character is a backslash, at the end of a line and before a quotation mark.
+TEST(LegacyEncoding, BackslashesInsideCharactersAreNone) {
+  const CompileResult result = test::Compile("// \x95\x5C\nfloat a < string UIName = \"\x83\x5C\"; > = 1;\n");
+  EXPECT_EQ(Messages(result), "");
+  ASSERT_TRUE(result.effect);
+  EXPECT_EQ(result.effect->parameters.at(0).annotations.at(0).value.strings.at(0), "\xE3\x82\xBD");
+}
+
+TEST(LegacyEncoding, TheEndMarkOfDosEndsTheText) { EXPECT_EQ(Messages("float a;\n\x1A\x1A@@"), ""); }
+
+}  // namespace
+}  // namespace burin::fx
