@@ -75,8 +75,7 @@ Built Area(const EdgeSegment& edge, const PictureView& view, const Projection& p
     built.faces[1] = Face(edge, !shape.is_left_positive, *cut);
     built.face_count = 2;
   }
-  const bool is_fold = edge.is_smooth && edge.shows_left && edge.shows_right;
-  const float kind = !shape.is_outline ? 0.0f : is_fold ? kFold : kOutline;
+  const float kind = !shape.is_outline ? 0.0f : edge.is_smooth ? kSmoothOutline : kSharpOutline;
   built.records[0] = Record(*cut, shape.fold_slack, kind, built.faces[0].points);
   return built;
 }

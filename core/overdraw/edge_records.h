@@ -33,10 +33,11 @@ struct EdgeRecords {
   void SetPlaces(std::span<const std::uint32_t> first);
 };
 
-/// EdgeRecord::depth.w of outlines, below 0. Where a smooth surface that shows both sides folds over, its normals turn
-/// round: shading at the edge itself says nothing about that beside it.
-inline constexpr float kOutline = -1.0f;
-inline constexpr float kFold = -2.0f;
+/// EdgeRecord::depth.w of outlines, below 0. A smooth surface is seen at a grazing angle at its outline, where
+/// reflection grows to all of the light, and transmission goes to nothing, within a pixel: shading at the edge itself
+/// says little about that beside it.
+inline constexpr float kSharpOutline = -1.0f;
+inline constexpr float kSmoothOutline = -2.0f;
 
 struct PictureView {
   glm::mat4 clip_from_world{1.0f};  ///< depth reversed: 1 at the near plane, 0 at the far one

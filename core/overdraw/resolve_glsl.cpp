@@ -3,19 +3,19 @@
 // the area beyond it (edge_area_glsl.h). So the pixel's colour is the centre's plus, for each edge, its area times the
 // difference: right for strips thinner than a pixel, corners, and any chain of short edges, as all terms add up.
 // The colours are the shading of the edge's faces, so that faces that no pixel's centre sees have theirs too; what lies
-// behind an outline has the colour of the pixel there, and so has a surface that folds over (edge_records.h), if that
-// pixel is on it.
+// behind an outline has the colour of the pixel there, and so has a smooth surface at its outline (edge_records.h), if
+// that pixel is on it.
 #include "core/overdraw/resolve_glsl.h"
 
 namespace burin::overdraw {
 
 std::string_view ResolveBody() {
   return R"(
-// A neighbour this much behind the edge, as a share of the depth, may still be on the fold's surface.
+// A neighbour this much behind the edge, as a share of the depth, may still be on the outline's surface.
 const float NEAR_ENOUGH = 0.02;
 
-// Of outlines, towards the right, left, lower and upper neighbour: areas that a fold covers though the centre is off
-// it, where the neighbour is on it; areas that surfaces leave free though the centre is on their side.
+// Of outlines, towards the right, left, lower and upper neighbour: areas that a smooth surface covers though the centre
+// is off it, where the neighbour is on it; areas that surfaces leave free though the centre is on their side.
 vec4 covered = vec4(0.0), exposed = vec4(0.0);
 float shaded_area = 0.0;          // areas covered by what has its own shading
 float inner_area = 0.0;           // beyond edges that are no outlines
@@ -68,7 +68,7 @@ vec4 End(ivec2 p) {
   // What an outline's surface looks like where the centre may not show it.
   vec4 shade = centre;
   bool needs_shade = shaded_area > 0.0 || inner_area > 0.0;
-  if (needs_shade && abs(outline_area) > 0.01) shade = max(outline / outline_area, vec4(0.0));
+  if (needs_shade && abs(outline_area) > 1e-5) shade = max(outline / outline_area, vec4(0.0));
   vec4 beside = Mean(right, left, below, above, sum > 0.0 ? covered : exposed);
   vec4 color = centre + inner;
   if (sum > 0.0) color += (sum / front) * (beside + shaded_area * shade) - sum * centre;
