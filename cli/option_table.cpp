@@ -316,7 +316,7 @@ constexpr OptionSpec kTable[] = {
      "Give a texture of the effect this picture instead of the one that it names. Can be given several times.", "",
      Repeat::kCollect,
      [](Settings& s, const std::string& v) {
-       return Append(s.job.parameters, ParseAssignment("texture", v, nullptr));
+       return Append(s.job.parameters, ParseAssignment("texture", v, nullptr, "FILE"));
      }},
     {"technique", 0, "NAME", kRender | kInfo, kEffect,
      "Use this technique. Otherwise the first that this device can run.", "", Repeat::kLast,

@@ -120,11 +120,12 @@ Result<long> ParseInteger(std::string_view option, std::string_view text, long l
 }
 
 Result<std::pair<std::string, std::string>> ParseAssignment(std::string_view option, std::string_view text,
-                                                            const char* otherwise) {
+                                                            const char* otherwise, std::string_view kind) {
   const std::size_t equals = text.find('=');
   const bool has_name = !text.empty() && (text[0] == '_' || std::isalpha(static_cast<unsigned char>(text[0])) != 0);
   if (!has_name || (equals == std::string_view::npos && otherwise == nullptr)) {
-    return Refused(option, text, otherwise != nullptr ? "NAME or NAME=VALUE" : "NAME=VALUE");
+    const std::string pair = fmt::format("NAME={}", kind);
+    return Refused(option, text, otherwise != nullptr ? "NAME or " + pair : pair);
   }
   if (equals == std::string_view::npos) return std::pair(std::string(text), std::string(otherwise));
   return std::pair(std::string(text.substr(0, equals)), std::string(text.substr(equals + 1)));

@@ -22,9 +22,11 @@ namespace burin::cli {
 [[nodiscard]] Result<std::array<float, 4>> ParseColor(std::string_view text);
 [[nodiscard]] Result<double> ParseNumber(std::string_view option, std::string_view text);
 [[nodiscard]] Result<long> ParseInteger(std::string_view option, std::string_view text, long lowest, long highest);
-/// "NAME=VALUE"; without "=" the value is `otherwise`, or an error when that is null.
+/// "NAME=VALUE"; without "=" the value is `otherwise`, or an error when that is null. `kind`: what the message calls
+/// the value.
 [[nodiscard]] Result<std::pair<std::string, std::string>> ParseAssignment(std::string_view option,
-                                                                          std::string_view text, const char* otherwise);
+                                                                          std::string_view text, const char* otherwise,
+                                                                          std::string_view kind = "VALUE");
 /// Names separated by commas; empty ones are refused.
 [[nodiscard]] Result<std::vector<std::string>> ParseNames(std::string_view option, std::string_view text);
 

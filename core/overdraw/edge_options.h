@@ -7,7 +7,7 @@ namespace burin::overdraw {
 
 /// How discontinuity edges are antialiased. kUnsorted and kSorted are the two ways of Sander et al. 2001: antialiased
 /// lines drawn over the edges, in any order or back to front. kResolve mixes the pixels on the two sides of an edge by
-/// area instead (resolve_pass.h).
+/// area instead (resolve_glsl.h).
 enum class EdgeMode : std::uint8_t { kOff, kUnsorted, kSorted, kResolve };
 
 struct EdgeOptions {

@@ -105,7 +105,7 @@ Result<geometry::BezierPatches> Parse(std::string_view text) {
   for (int number = 1; number <= *count; ++number) {
     if (Result<void> read = ReadPatch(words, number, patches); !read) {
       if (read.error().message.starts_with("ends"))
-        read.error().message += fmt::format("; expected {} patches", *count);
+        read.error().message += fmt::format("; expected {} patch{}", *count, *count == 1 ? "" : "es");
       return std::unexpected(read.error());
     }
   }

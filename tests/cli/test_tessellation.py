@@ -81,7 +81,7 @@ class Tessellation(BurinTest):
         (self.folder / "short.bpt").write_text(BENT[:-4])
         (self.folder / "bad.obj").write_text(ROOF + "f 1 2 9\n")
         for name, text in (("nan.bpt", "nan.bpt: line 6: patch 1, point 4: found 'nan', expected a finite number"),
-                           ("short.bpt", "short.bpt: ends in patch 1, point 6 of 6; expected 1 patches"),
+                           ("short.bpt", "short.bpt: ends in patch 1, point 6 of 6; expected 1 patch"),
                            ("bad.obj", "bad.obj: line 9: f: vertex: index 9, but there are 6 so far")):
             for command in (("tessellate", name, "-o", "a.ply"), ("info", name)):
                 self.assertIn(text, self.refused(*command, status=3))

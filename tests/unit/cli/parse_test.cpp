@@ -91,6 +91,7 @@ TEST(Parse, MalformedValuesAreRefusedByOption) {
   EXPECT_EQ(Refusal("render", {"--quality", "101"}), "--quality 101: expected a whole number from 1 to 100");
   EXPECT_EQ(Refusal("render", {"--orbit", "nan"}), "--orbit nan: expected a number");
   EXPECT_EQ(Refusal("render", {"--param", "x"}), "--param x: expected NAME=VALUE");
+  EXPECT_EQ(Refusal("render", {"--texture", "x"}), "--texture x: expected NAME=FILE");
   EXPECT_EQ(Refusal("render", {"--attributes", "a,,b"}), "--attributes a,,b: expected names separated by commas");
   EXPECT_EQ(Refusal("render", {"--fps", "0"}),
             "--fps 0: expected frames a second above 0 and at most 1000, such as 24, 23.976 or 30000/1001");

@@ -61,7 +61,7 @@ TEST_F(Bpt, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(ErrorOf("1\n0 3\n"), "line 2: patch 1: found '0' as the degree in u, expected 1 to 7");
   EXPECT_EQ(ErrorOf("1\n3 8\n"), "line 2: patch 1: found '8' as the degree in v, expected 1 to 7");
   EXPECT_EQ(ErrorOf("2\n1 1\n0 0 0 0 1 0 1 0 0 1 1 0\n"), "ends before patch 2; expected 2 patches");
-  EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 1 0\n1 0\n"), "ends in patch 1, point 3 of 4; expected 1 patches");
+  EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 1 0\n1 0\n"), "ends in patch 1, point 3 of 4; expected 1 patch");
   EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 nan 0\n1 0 0\n1 1 0\n"),
             "line 4: patch 1, point 2: found 'nan', expected a finite number");
   EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 inf 0\n"),
