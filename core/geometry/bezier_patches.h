@@ -30,6 +30,12 @@ struct ControlNet {
                                       : std::uint32_t{net.u_order} * (net.u_order + 1u) / 2u;
 }
 
+/// Where, from `first` on, the value of index i along u, j along v is.
+[[nodiscard]] constexpr std::uint32_t ValueIndex(PatchDomain domain, const ControlNet& net, std::uint32_t i,
+                                                 std::uint32_t j) {
+  return j * net.u_order + i - (domain == PatchDomain::kQuad ? 0 : (j * j - j) / 2);
+}
+
 struct BezierPatch {
   PatchDomain domain = PatchDomain::kQuad;
   bool is_rational = false;  ///< positions are homogeneous: (w x, w y, w z, w); orders up to 4

@@ -128,11 +128,13 @@ void ItemTessellator::Refine(const Source& source, FactorList factors, DrawItem&
   options.pattern = pattern();
   options.wants_tangents = WantsTangents(*scene_, PrimitiveOf(*scene_, item));
   const std::shared_ptr<ItemSurface> surface = TakeSurface();
-  tessellation::Tessellate(*source.now, factors, options, surface->triangles);
+  // What is deformed has other control points in every frame.
+  options.revision = is_still ? 1 : 0;
+  kept.now.Tessellate(*source.now, factors, options, surface->triangles);
   surface->previous_positions.clear();
   if (!is_still && item.deformed.previous_positions != item.deformed.positions) {
     options.wants_tangents = false;
-    tessellation::Tessellate(*source.before, factors, options, scratch_);
+    kept.before.Tessellate(*source.before, factors, options, scratch_);
     // A side that collapses in one of the poses has other vertices there; such a frame's item stands still.
     if (scratch_.patch_uv == surface->triangles.patch_uv) surface->previous_positions = scratch_.positions;
   }

@@ -61,6 +61,7 @@ class ItemTessellator {
     FactorList factors;
     std::shared_ptr<const ItemSurface> surface;
     std::uint32_t patch_ids = 0;  ///< how many
+    tessellation::Tessellator now, before;
   };
   /// Where an item's surface comes from in this frame.
   struct Source {

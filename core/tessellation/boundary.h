@@ -18,8 +18,19 @@ namespace burin::tessellation {
 /// Which of BezierPatches::positions is point k of a side, in the side's own direction.
 [[nodiscard]] std::uint32_t SidePoint(const geometry::BezierPatch& patch, std::uint32_t side, std::uint32_t k);
 
-/// Which sides have all their control points at one place.
-[[nodiscard]] std::array<bool, 4> CollapsedSides(const geometry::BezierPatches& patches,
-                                                 const geometry::BezierPatch& patch);
+enum class SideShape : std::uint8_t {
+  kOpen,   ///< from one place to another
+  kLoop,   ///< back to where it starts
+  kPoint,  ///< all control points at one place
+};
+
+/// A neighbour along a side sees the same shape.
+[[nodiscard]] std::array<SideShape, 4> SideShapes(const geometry::BezierPatches& patches,
+                                                  const geometry::BezierPatch& patch);
+
+/// Whether a side stays so close to where it starts that, seen at the patch's size, it is a point: models have such
+/// loops where their authors wanted a normal at a pole.
+[[nodiscard]] bool IsNearlyPoint(const geometry::BezierPatches& patches, const geometry::BezierPatch& patch,
+                                 std::uint32_t side);
 
 }  // namespace burin::tessellation

@@ -298,11 +298,18 @@ static void Bernstein(const double* parameters, std::uint32_t count, int degree,
 }
 
 static void Rescale(Lanes* values, int count) {
-  Lanes largest{};
-  for (int k = 0; k < count; ++k) {
-    const Lanes size = values[k] < 0.0 ? -values[k] : values[k];
-    largest = size > largest ? size : largest;
+  // Four apart, as each comparison waits for the one before.
+  Lanes parts[4] = {};
+  for (int k = 0; k < count; k += 4) {
+    BURIN_UNROLL
+    for (int l = 0; l < 4; ++l) {
+      const Lanes& value = values[k + l < count ? k + l : k];
+      const Lanes size = value < 0.0 ? -value : value;
+      parts[l] = size > parts[l] ? size : parts[l];
+    }
   }
+  const Lanes even = parts[2] > parts[0] ? parts[2] : parts[0], odd = parts[3] > parts[1] ? parts[3] : parts[1];
+  const Lanes largest = odd > even ? odd : even;
   double most = largest[0] > largest[1] ? largest[0] : largest[1];
   if (largest[2] > most) most = largest[2];
   if (!(most > 0.0)) return;

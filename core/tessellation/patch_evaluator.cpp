@@ -55,7 +55,8 @@ void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, std::size_
   first_vertex_ = first_vertex;
   if (!stored.Restore(index, nets_)) {
     nets_.Load(*kernels_, patches, patch, wants_tangents_);
-    stored.Store(index, nets_);
+    // Loading is as quick as restoring where nothing is derived.
+    if (!patch.normal || wants_tangents_) stored.Store(index, nets_);
   }
   if (patch.domain == PatchDomain::kTriangle && layout.pattern == Pattern::kFractional) {
     ThreeGrids(layout);
@@ -71,8 +72,8 @@ void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, std::size_
 NetLine PatchEvaluator::SideLine(std::size_t channel, const Side& side, std::uint32_t index) {
   const Net& net = nets_.net[channel];
   if (net.is_quad()) {
-    const bool is_limit =
-        side.is_collapsed && static_cast<Channel>(channel) == Channel::kNormal && !writer_.patch->normal;
+    const bool is_limit = static_cast<Channel>(channel) == Channel::kNormal && !writer_.patch->normal &&
+                          side.shape != SideShape::kOpen && IsNearlyPoint(*writer_.patches, *writer_.patch, index);
     return QuadLine(net, index, is_limit ? 1 : 0);
   }
   for (int k = 0; k <= net.u_degree; ++k)
@@ -100,7 +101,7 @@ void PatchEvaluator::GuardCurve(const Side& side, std::uint32_t index) {
   const auto [from, to] = SideEnds(writer_.patch->domain, index);
   const std::uint32_t first = first_vertex_ + (has_start ? side.first : side.inner);
   RunLine(vertices, {first, count, side_parameters_.data(), from, to});
-  if (side.is_collapsed) {
+  if (side.is_collapsed()) {
     // Rounding may have told the vertices of a rational curve apart.
     const double w = writer_.patch->is_rational ? corner[3] : 1.0;
     const glm::vec3 position(glm::dvec3(corner[0] / w, corner[1] / w, corner[2] / w));

@@ -93,15 +93,15 @@ std::uint32_t GridTriangles(const PatchLayout& layout) {
 }  // namespace
 
 PatchLayout LayoutOf(PatchDomain domain, Pattern pattern, const Factors& factors,
-                     const std::array<bool, 4>& collapsed) {
+                     const std::array<SideShape, 4>& shapes) {
   PatchLayout layout;
   layout.domain = domain;
   layout.pattern = pattern;
   layout.side_count = domain == PatchDomain::kQuad ? 4 : 3;
   for (std::uint32_t s = 0; s < layout.side_count; ++s) {
-    const bool is_free = domain == PatchDomain::kQuad && collapsed[s];
+    const bool is_free = domain == PatchDomain::kQuad && shapes[s] == SideShape::kPoint;
     layout.sides[s].spacing = SpacingOf(pattern, factors[is_free ? s ^ 1u : s]);
-    layout.sides[s].is_collapsed = collapsed[s];
+    layout.sides[s].shape = shapes[s];
   }
   const auto& sides = layout.sides;
   Numbering numbering;

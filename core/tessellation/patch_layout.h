@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/tessellation/boundary.h"
 #include "core/tessellation/spacing.h"
 
 namespace burin::tessellation {
@@ -14,9 +15,13 @@ struct Side {
   Spacing spacing;
   std::uint32_t first = 0, last = 0;  ///< corners
   std::uint32_t inner = 0;            ///< the first of the others
-  bool is_collapsed = false;          ///< all in one place
+  SideShape shape = SideShape::kOpen;
 
   [[nodiscard]] std::uint32_t segments() const { return spacing.segments(); }
+  /// All vertices are at one place.
+  [[nodiscard]] bool is_collapsed() const {
+    return shape == SideShape::kPoint || (shape == SideShape::kLoop && segments() == 1);
+  }
   [[nodiscard]] bool StartAdjoins() const { return first + 1 == inner; }
   [[nodiscard]] bool EndAdjoins() const { return last == inner + segments() - 1; }
   [[nodiscard]] std::uint32_t Vertex(std::uint32_t i) const {
@@ -51,15 +56,15 @@ struct PatchLayout {
 
   [[nodiscard]] bool HasCollapsedSide() const {
     bool any = false;
-    for (const Side& side : sides) any |= side.is_collapsed;
+    for (const Side& side : sides) any |= side.is_collapsed();
     return any;
   }
 };
 
-/// `factors`: within [1, kMaxFactor]. `collapsed`: one a side. A collapsed side of a quad is cut like the side opposite
-/// to it, whatever its own factor, so that each of the triangles that meet there has a vertex with its own normal and
-/// texture coordinates; no neighbour can tell.
+/// `factors`: within [1, kMaxFactor]. `shapes`: one a side. A side of a quad that is a point is cut like the side
+/// opposite to it, whatever its own factor, so that each of the triangles that meet there has a vertex with its own
+/// normal and texture coordinates; no neighbour can tell.
 [[nodiscard]] PatchLayout LayoutOf(geometry::PatchDomain domain, Pattern pattern, const Factors& factors,
-                                   const std::array<bool, 4>& collapsed);
+                                   const std::array<SideShape, 4>& shapes);
 
 }  // namespace burin::tessellation

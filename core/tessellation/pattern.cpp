@@ -252,7 +252,7 @@ std::size_t DropCollapsed(const PatchLayout& layout, std::uint32_t* indices, std
   };
   const auto is_dropped = [&](const std::uint32_t* corner) {
     return std::ranges::any_of(layout.sides, [&](const Side& side) {
-      return side.is_collapsed && on_side(side, corner[0]) + on_side(side, corner[1]) + on_side(side, corner[2]) >= 2;
+      return side.is_collapsed() && on_side(side, corner[0]) + on_side(side, corner[1]) + on_side(side, corner[2]) >= 2;
     });
   };
   std::size_t kept = 0;

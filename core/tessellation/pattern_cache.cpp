@@ -9,7 +9,7 @@ std::uint64_t PatternKey(const PatchLayout& layout) {
   for (std::uint32_t s = 0; s < 4; ++s) {
     static_assert(kMaxFactor < 512.0f, "a side's segments fit in 9 bits");
     key = key << 9 | (s < layout.side_count ? layout.sides[s].segments() : 0u);
-    key = key << 1 | (layout.sides[s].is_collapsed ? 1u : 0u);
+    key = key << 1 | (layout.sides[s].is_collapsed() ? 1u : 0u);
   }
   return key;
 }

@@ -99,9 +99,9 @@ std::vector<Factors> ScreenFactors(const BezierPatches& patches, const ScreenMet
   const auto measure = [&](std::size_t p) {
     const BezierPatch& patch = patches.patches[p];
     if (metric.skips_invisible && IsInvisible(patches, patch, clip)) return;
-    const auto collapsed = CollapsedSides(patches, patch);
+    const auto shapes = SideShapes(patches, patch);
     for (std::uint32_t s = 0; s < SideCount(patch.domain); ++s) {
-      if (collapsed[s]) continue;
+      if (shapes[s] == SideShape::kPoint) continue;
       const double factor = SidePixels(patches, patch, s, clip, half_size) / static_cast<double>(metric.edge_length_px);
       if (factor > most) over.fetch_add(1, std::memory_order_relaxed);
       // False for NaN.

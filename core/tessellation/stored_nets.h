@@ -16,7 +16,7 @@ namespace burin::tessellation {
 class StoredNets {
  public:
   /// What is stored beyond this is loaded anew each time.
-  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 
   /// Before each frame. Forgets everything unless `revision` (not 0), the number of patches and whether there are
   /// tangents are the last frame's.

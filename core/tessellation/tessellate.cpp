@@ -24,7 +24,7 @@ struct Share {
   std::uint32_t first_vertex = 0, vertex_count = 0;
   std::size_t first_index = 0, index_count = 0;
   std::uint64_t pattern_key = 0;
-  std::array<bool, 4> collapsed{};
+  std::array<SideShape, 4> shapes{};
   bool has_collapsed_side = false;
   const PatternCache::Indices* pattern = nullptr;  ///< null: the patch writes its own
 };
@@ -34,11 +34,36 @@ float Clamped(float factor) {
   return factor >= 1.0f ? std::min(factor, kMaxFactor) : 1.0f;
 }
 
-PatchLayout LayoutOfPatch(const BezierPatch& patch, const std::array<bool, 4>& collapsed, const Factors& factors,
+PatchLayout LayoutOfPatch(const BezierPatch& patch, const std::array<SideShape, 4>& shapes, const Factors& factors,
                           Pattern pattern) {
   const Factors clamped{Clamped(factors[0]), Clamped(factors[1]), Clamped(factors[2]), Clamped(factors[3])};
-  return LayoutOf(patch.domain, pattern, clamped, collapsed);
+  return LayoutOf(patch.domain, pattern, clamped, shapes);
 }
+
+/// Layouts of one patch after the other, which often are alike.
+class LayoutMaker {
+ public:
+  explicit LayoutMaker(Pattern pattern) : pattern_(pattern) {}
+
+  /// Valid until the next call.
+  [[nodiscard]] const PatchLayout& Make(const BezierPatch& patch, const std::array<SideShape, 4>& shapes,
+                                        const Factors& factors) {
+    if (!is_made_ || patch.domain != layout_.domain || factors != factors_ || shapes != shapes_) {
+      layout_ = LayoutOfPatch(patch, shapes, factors, pattern_);
+      factors_ = factors;
+      shapes_ = shapes;
+      is_made_ = true;
+    }
+    return layout_;
+  }
+
+ private:
+  Pattern pattern_;
+  PatchLayout layout_;
+  Factors factors_{};
+  std::array<SideShape, 4> shapes_{};
+  bool is_made_ = false;
+};
 
 template <class Body>
 void ForRange(std::size_t count, bool is_parallel, const Body& body) {
@@ -51,9 +76,10 @@ void ForRange(std::size_t count, bool is_parallel, const Body& body) {
 std::vector<Share> CountShares(const BezierPatches& patches, std::span<const Factors> factors, const Options& options) {
   std::vector<Share> shares(patches.patches.size());
   ForRange(shares.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
+    LayoutMaker layouts(options.pattern);
     for (std::size_t p = begin; p < end; ++p) {
-      shares[p].collapsed = CollapsedSides(patches, patches.patches[p]);
-      const PatchLayout layout = LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern);
+      shares[p].shapes = SideShapes(patches, patches.patches[p]);
+      const PatchLayout& layout = layouts.Make(patches.patches[p], shares[p].shapes, factors[p]);
       shares[p].vertex_count = layout.vertex_count;
       shares[p].index_count = std::size_t{3} * layout.triangle_count;
       shares[p].pattern_key = PatternKey(layout);
@@ -86,7 +112,7 @@ void SharePatterns(const BezierPatches& patches, std::span<const Factors> factor
   ForRange(missing.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const std::size_t p = missing[m].patch;
-      MakePattern(kernels, LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern),
+      MakePattern(kernels, LayoutOfPatch(patches.patches[p], shares[p].shapes, factors[p], options.pattern),
                   *missing[m].indices);
     }
   });
@@ -160,8 +186,9 @@ void Tessellator::Tessellate(const BezierPatches& patches, std::span<const Facto
   ForRange(shares.size(), options.is_parallel, [&](std::size_t begin, std::size_t end) {
     PatchEvaluator& evaluator = ThreadsEvaluator();
     evaluator.Configure(kernels, options.swatch_vertices, options.wants_tangents, surface);
+    LayoutMaker layouts(options.pattern);
     for (std::size_t p = begin; p < end; ++p) {
-      const PatchLayout layout = LayoutOfPatch(patches.patches[p], shares[p].collapsed, factors[p], options.pattern);
+      const PatchLayout& layout = layouts.Make(patches.patches[p], shares[p].shapes, factors[p]);
       evaluator.Evaluate(patches, p, layout, shares[p].first_vertex, state_->nets);
       WriteIndices(kernels, layout, shares[p], surface.indices.data() + shares[p].first_index);
     }
@@ -175,8 +202,17 @@ void Tessellate(const BezierPatches& patches, std::span<const Factors> factors, 
 
 SurfaceSize MeasureSurface(const BezierPatches& patches, std::span<const Factors> factors, Pattern pattern) {
   std::vector<Share> shares = CountShares(patches, factors, {.pattern = pattern});
-  PatternCache patterns;
-  SharePatterns(patches, factors, {.pattern = pattern}, patterns, shares);
+  std::unordered_map<std::uint64_t, std::size_t> without_collapsed;
+  PatternCache::Indices indices;
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    if (!shares[p].has_collapsed_side) continue;
+    const auto [count, is_new] = without_collapsed.try_emplace(shares[p].pattern_key, 0);
+    if (is_new) {
+      MakePattern(PlainKernels(), LayoutOfPatch(patches.patches[p], shares[p].shapes, factors[p], pattern), indices);
+      count->second = indices.size();
+    }
+    shares[p].index_count = count->second;
+  }
   return PlaceShares(shares);
 }
 

@@ -128,8 +128,8 @@ void PrintOurs(const BezierPatches& patches) {
 
 void PrintRivals(const BezierPatches& patches) {
   fmt::print("\nthe same by others (one thread, but for GL), and how many times as fast ours is\n");
-  fmt::print("{:>6} {:>9} {:>9} {:>6} {:>9} {:>6} {:>9} {:>6} {:>9} {:>6}\n", "factor", "ours", "by vertex", "",
-             "by row", "", "OpenSubd.", "", "GL", "");
+  fmt::print("{:>6} {:>9} {:>9} {:>6} {:>9} {:>6} {:>9} {:>6} {:>9} {:>6} {:>9} {:>6}\n", "factor", "ours", "by vertex",
+             "", "by row", "", "OSD patch", "", "OSD sten.", "", "GL", "");
   burin::bench::GlTessellation gl(patches);
   for (const std::uint32_t segments : kSegments) {
     Runs runs(patches, segments);
@@ -139,6 +139,7 @@ void PrintRivals(const BezierPatches& patches) {
         {[&] { TessellateByVertex(patches, segments, mesh); }, triangles},
         burin::base::HasAvx2() ? TimedWork{[&] { TessellateByRow(patches, segments, mesh); }, triangles} : TimedWork{},
         segments <= 128 ? burin::bench::OpenSubdivPatches(patches.patches.size(), segments) : TimedWork{},
+        segments <= 64 ? burin::bench::OpenSubdivStencils(patches.patches.size(), segments) : TimedWork{},
         gl.At(segments)};
     const double ours = runs.Rate(
         {.pattern = Pattern::kInteger, .wants_patch_uv = false, .wants_patch_ids = false, .is_parallel = false});

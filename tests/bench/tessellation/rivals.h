@@ -33,6 +33,9 @@ struct TimedWork {
 /// patches; no indices. No run where OpenSubdiv is not there.
 [[nodiscard]] TimedWork OpenSubdivPatches(std::size_t patch_count, std::uint32_t segments);
 
+/// The same by limit stencils: each vertex a weighted sum of control points.
+[[nodiscard]] TimedWork OpenSubdivStencils(std::size_t patch_count, std::uint32_t segments);
+
 /// GL's tessellation stage, positions and normals read by transform feedback, in draws of fewer than 65,536 vertices.
 /// No run without a GL context or where `segments` is beyond its limit.
 class GlTessellation {

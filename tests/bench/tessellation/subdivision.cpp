@@ -7,6 +7,7 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #include <opensubdiv/far/patchMap.h>
 #include <opensubdiv/far/patchTableFactory.h>
+#include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
 #include <opensubdiv/osd/cpuEvaluator.h>
@@ -43,51 +44,111 @@ struct Torus {
   }
 };
 
-struct Evaluation {
-  std::unique_ptr<osd::Far::TopologyRefiner> refiner;
+using Refiner = std::unique_ptr<osd::Far::TopologyRefiner>;
+
+Refiner RefinerOf(const Torus& torus) {
+  osd::Far::TopologyDescriptor descriptor;
+  descriptor.numVertices = descriptor.numFaces = torus.count;
+  descriptor.numVertsPerFace = torus.sizes.data();
+  descriptor.vertIndicesPerFace = torus.corners.data();
+  using Factory = osd::Far::TopologyRefinerFactory<osd::Far::TopologyDescriptor>;
+  return Refiner(Factory::Create(descriptor, Factory::Options(osd::Sdc::SCHEME_CATMARK, osd::Sdc::Options())));
+}
+
+/// Control points, and limit positions and derivatives, three floats each.
+struct Buffers {
+  std::unique_ptr<osd::Osd::CpuVertexBuffer> source, out, du, dv;
+
+  void Allocate(const Torus& torus, int sources, int vertices) {
+    source.reset(osd::Osd::CpuVertexBuffer::Create(3, sources));
+    source->UpdateData(torus.positions.data(), 0, torus.count);
+    for (auto* buffer : {&out, &du, &dv}) buffer->reset(osd::Osd::CpuVertexBuffer::Create(3, vertices));
+  }
+};
+
+std::vector<float> Parameters(std::uint32_t segments) {
+  std::vector<float> parameters;
+  for (std::uint32_t i = 0; i <= segments; ++i)
+    parameters.push_back(static_cast<float>(i) / static_cast<float>(segments));
+  return parameters;
+}
+
+double TriangleCount(const Torus& torus, std::uint32_t segments) { return 2.0 * torus.count * segments * segments; }
+
+const osd::Osd::BufferDescriptor kThree(0, 3, 3);
+
+struct PatchEvaluation {
+  Refiner refiner;
   std::unique_ptr<osd::Far::PatchTable> table;
   std::unique_ptr<osd::Osd::CpuPatchTable> cpu_table;
-  std::unique_ptr<osd::Osd::CpuVertexBuffer> source, out, du, dv;
+  Buffers buffers;
   std::vector<osd::Osd::PatchCoord> coords;
+};
+
+struct StencilEvaluation {
+  Refiner refiner;
+  std::unique_ptr<const osd::Far::LimitStencilTable> table;
+  Buffers buffers;
 };
 
 }  // namespace
 
 TimedWork OpenSubdivPatches(std::size_t patch_count, std::uint32_t segments) {
   const Torus torus(static_cast<int>(patch_count));
-  osd::Far::TopologyDescriptor descriptor;
-  descriptor.numVertices = descriptor.numFaces = torus.count;
-  descriptor.numVertsPerFace = torus.sizes.data();
-  descriptor.vertIndicesPerFace = torus.corners.data();
-  using Factory = osd::Far::TopologyRefinerFactory<osd::Far::TopologyDescriptor>;
-  auto work = std::make_shared<Evaluation>();
-  work->refiner.reset(Factory::Create(descriptor, Factory::Options(osd::Sdc::SCHEME_CATMARK, osd::Sdc::Options())));
+  auto work = std::make_shared<PatchEvaluation>();
+  work->refiner = RefinerOf(torus);
   osd::Far::PatchTableFactory::Options options(1);
   work->refiner->RefineAdaptive(options.GetRefineAdaptiveOptions());
   work->table.reset(osd::Far::PatchTableFactory::Create(*work->refiner, options));
   work->cpu_table.reset(osd::Osd::CpuPatchTable::Create(work->table.get()));
   const osd::Far::PatchMap map(*work->table);
+  const std::vector<float> parameters = Parameters(segments);
   for (int face = 0; face < torus.count; ++face) {
-    for (std::uint32_t j = 0; j <= segments; ++j) {
-      for (std::uint32_t i = 0; i <= segments; ++i) {
-        const float s = static_cast<float>(i) / static_cast<float>(segments);
-        const float t = static_cast<float>(j) / static_cast<float>(segments);
-        work->coords.emplace_back(*map.FindPatch(face, s, t), s, t);
-      }
+    for (const float t : parameters) {
+      for (const float s : parameters) work->coords.emplace_back(*map.FindPatch(face, s, t), s, t);
     }
   }
   const int vertices = static_cast<int>(work->coords.size());
-  work->source.reset(osd::Osd::CpuVertexBuffer::Create(3, work->refiner->GetNumVerticesTotal()));
-  work->source->UpdateData(torus.positions.data(), 0, torus.count);
-  for (auto* buffer : {&work->out, &work->du, &work->dv}) buffer->reset(osd::Osd::CpuVertexBuffer::Create(3, vertices));
+  work->buffers.Allocate(torus, work->refiner->GetNumVerticesTotal(), vertices);
   const auto run = [work, vertices] {
-    const osd::Osd::BufferDescriptor three(0, 3, 3);
-    osd::Osd::CpuEvaluator::EvalPatches(work->source->BindCpuBuffer(), three, work->out->BindCpuBuffer(), three,
-                                        work->du->BindCpuBuffer(), three, work->dv->BindCpuBuffer(), three, vertices,
+    const Buffers& b = work->buffers;
+    osd::Osd::CpuEvaluator::EvalPatches(b.source->BindCpuBuffer(), kThree, b.out->BindCpuBuffer(), kThree,
+                                        b.du->BindCpuBuffer(), kThree, b.dv->BindCpuBuffer(), kThree, vertices,
                                         work->coords.data(), work->cpu_table->GetPatchArrayBuffer(),
                                         work->cpu_table->GetPatchIndexBuffer(), work->cpu_table->GetPatchParamBuffer());
   };
-  return {run, 2.0 * torus.count * segments * segments};
+  return {run, TriangleCount(torus, segments)};
+}
+
+TimedWork OpenSubdivStencils(std::size_t patch_count, std::uint32_t segments) {
+  const Torus torus(static_cast<int>(patch_count));
+  auto work = std::make_shared<StencilEvaluation>();
+  work->refiner = RefinerOf(torus);
+  osd::Far::PatchTableFactory::Options options(1);
+  work->refiner->RefineAdaptive(options.GetRefineAdaptiveOptions());
+  std::vector<float> s, t;
+  const std::vector<float> parameters = Parameters(segments);
+  for (const float v : parameters) {
+    s.insert(s.end(), parameters.begin(), parameters.end());
+    t.insert(t.end(), parameters.size(), v);
+  }
+  osd::Far::LimitStencilTableFactory::LocationArrayVec locations(static_cast<std::size_t>(torus.count));
+  for (int face = 0; face < torus.count; ++face) {
+    auto& location = locations[static_cast<std::size_t>(face)];
+    location.ptexIdx = face;
+    location.numLocations = static_cast<int>(s.size());
+    location.s = s.data();
+    location.t = t.data();
+  }
+  work->table.reset(osd::Far::LimitStencilTableFactory::Create(*work->refiner, locations));
+  if (!work->table) return {};
+  work->buffers.Allocate(torus, torus.count, work->table->GetNumStencils());
+  const auto run = [work] {
+    const Buffers& b = work->buffers;
+    osd::Osd::CpuEvaluator::EvalStencils(b.source.get(), kThree, b.out.get(), kThree, b.du.get(), kThree, b.dv.get(),
+                                         kThree, work->table.get());
+  };
+  return {run, TriangleCount(torus, segments)};
 }
 
 }  // namespace burin::bench
@@ -97,6 +158,7 @@ TimedWork OpenSubdivPatches(std::size_t patch_count, std::uint32_t segments) {
 namespace burin::bench {
 
 TimedWork OpenSubdivPatches(std::size_t, std::uint32_t) { return {}; }
+TimedWork OpenSubdivStencils(std::size_t, std::uint32_t) { return {}; }
 
 }  // namespace burin::bench
 

@@ -69,7 +69,57 @@ TEST_F(Bpt, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1e39 0\n"),
             "line 6: patch 1, point 4: found '1e39', expected a finite number");
   EXPECT_EQ(ErrorOf("1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 0\n7"),
-            "line 7: found '7' after the last of 1 patches, expected the end");
+            "line 7: found '7' after the last of 1 patch, expected the end");
+}
+
+TEST_F(Bpt, ReadsTrianglesWeightsAndAttributes) {
+  const std::string text =
+      "2  # a comment\n"
+      "rational 1 2\n"
+      "0 0 0 1   0 1 0 0.5   0 2 0 1\n"
+      "1 0 0 2   1 1 0 1     1 2 0 4\n"
+      "texcoords 1 1  0 0  0 1  1 0  1 1\n"
+      "colors 0 0  1 0.5 0.25 1\n"
+      "triangle 2\n"
+      "0 0 0  0 0.5 0  0 1 0  0.5 0 0  0.5 0.5 1  1 0 0\n"
+      "normals 1  0 0 1  0 1 1  1 0 1\n";
+  const auto scene = ReadScene(folder_.Write("m.bpt", text), {});
+  ASSERT_TRUE(scene) << scene.error().message;
+  const geometry::BezierPatches& patches = *scene->meshes.at(0).primitives.at(0).patches;
+  ASSERT_EQ(patches.patches.size(), 2u);
+  const geometry::BezierPatch &quad = patches.patches[0], &triangle = patches.patches[1];
+  EXPECT_TRUE(quad.is_rational);
+  EXPECT_EQ(patches.positions[4], glm::vec4(0, 2, 0, 1));
+  EXPECT_EQ(patches.positions[2], glm::vec4(0, 0.5f, 0, 0.5f)) << "homogeneous";
+  EXPECT_EQ(patches.positions[5], glm::vec4(4, 8, 0, 4)) << "homogeneous";
+  EXPECT_EQ(patches.texcoords[0].at(quad.texcoord[0].first + 1), glm::vec2(1, 0));
+  EXPECT_EQ(patches.colors.at(quad.color.first), glm::vec4(1, 0.5f, 0.25f, 1));
+  EXPECT_EQ(triangle.domain, geometry::PatchDomain::kTriangle);
+  EXPECT_FALSE(triangle.is_rational);
+  // Points along v first: (0,0) (0,1) (0,2) (1,0) (1,1) (2,0), packed by rows of u.
+  const std::uint32_t at = triangle.position.first;
+  EXPECT_EQ(patches.positions[at + 1], glm::vec4(0.5f, 0, 0, 1));
+  EXPECT_EQ(patches.positions[at + 2], glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(patches.positions[at + 3], glm::vec4(0, 0.5f, 0, 1));
+  EXPECT_EQ(patches.positions[at + 4], glm::vec4(0.5f, 0.5f, 1, 1));
+  EXPECT_EQ(patches.positions[at + 5], glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ(patches.normals.at(triangle.normal.first + 1), glm::vec3(1, 0, 1));
+}
+
+TEST_F(Bpt, SaysWhatIsWrongWithWeightsAndAttributes) {
+  const std::string flat = "1\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 0\n";
+  EXPECT_EQ(ErrorOf("1\nrational 4 1\n"),
+            "line 2: patch 1: found '4' as the degree in u, expected 1 to 3 for a rational patch");
+  EXPECT_EQ(ErrorOf("1\nrational 1 1\n0 0 0 1\n0 1 0 0\n1 0 0 1\n1 1 0 1\n"),
+            "line 4: patch 1, point 2: the weight is 0, expected more than 0");
+  EXPECT_EQ(ErrorOf("1\nrational 1 1\n0 0 0 1\n0 1 0 1\n1e38 0 0 1e3\n1 1 0 1\n"),
+            "line 5: patch 1, point 3: its product with the weight 1000 is too large");
+  EXPECT_EQ(ErrorOf("1\ntriangle 9\n"), "line 2: patch 1: found '9' as the degree, expected 1 to 7");
+  EXPECT_EQ(ErrorOf(flat + "texcoords 1 1\n0 0 0 1 1\n"), "ends in patch 1, texcoords point 3 of 4; expected 1 patch");
+  EXPECT_EQ(ErrorOf(flat + "colors 0 0 1 1 1 1\ncolors 0 0 1 1 1 1\n"), "line 8: patch 1: has colors twice");
+  EXPECT_EQ(ErrorOf(flat + "colours 0 0 1 1 1 1\n"),
+            "line 7: found 'colours' after the last of 1 patch, expected the end");
+  EXPECT_EQ(ErrorOf("1\ntriangl 2\n"), "line 2: patch 1: found 'triangl' as the degree in u, expected 1 to 7");
 }
 
 TEST_F(Bpt, ACountWithoutPatchesEatsNoMemory) {

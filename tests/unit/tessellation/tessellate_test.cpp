@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 
 #include "core/geometry/bezier_evaluate.h"
+#include "core/tessellation/boundary.h"
 #include "tests/support/bezier_networks.h"
 #include "tests/support/surface_topology.h"
 
@@ -214,6 +216,61 @@ TEST(Tessellate, MeetsDegenerateInputWithNumbers) {
       EXPECT_NEAR(glm::length(glm::vec3(surface.tangents[v])), 1.0f, 1e-5f);
     }
   }
+}
+
+/// A dome's sector whose pole is not quite a point: the side v = 0 runs out by `loop` and back, the wrong way round.
+test::BezierPatches SectorWithLoop(float loop) {
+  test::BezierPatches patches;
+  const float net[4][4][3] = {{{0, 0, 1}, {0, -loop, 1}, {loop, 0, 1}, {0, 0, 1}},
+                              {{0.5f, 0, 1}, {0.5f, -0.3f, 1}, {0.3f, -0.5f, 1}, {0, -0.5f, 1}},
+                              {{1, 0, 0.5f}, {1, -0.6f, 0.5f}, {0.6f, -1, 0.5f}, {0, -1, 0.5f}},
+                              {{1, 0, 0}, {1, -0.6f, 0}, {0.6f, -1, 0}, {0, -1, 0}}};
+  test::AddQuad(patches, 4, 4, [&](int i, int j) { return glm::vec4(net[j][i][0], net[j][i][1], net[j][i][2], 1); });
+  return patches;
+}
+
+TEST(Tessellate, NormalsOfATinyLoopAreThoseNextToIt) {
+  const test::BezierPatches patches = SectorWithLoop(0.002f);
+  const auto& patch = patches.patches.front();
+  ASSERT_EQ(SideShapes(patches, patch)[0], SideShape::kLoop);
+  ASSERT_TRUE(IsNearlyPoint(patches, patch, 0));
+  Surface surface;
+  Tessellate(patches, std::vector<Factors>{{8, 8, 8, 8}}, {.pattern = Pattern::kFractional}, surface);
+  const glm::dvec3 turned = geometry::EvaluateBezier(patches, patch, 0.5, 0.0).normal;
+  std::size_t on_loop = 0;
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    if (surface.patch_uv[v].y != 0.0f) continue;
+    const glm::dvec3 inside = geometry::EvaluateBezier(patches, patch, surface.patch_uv[v].x, 0.01).normal;
+    EXPECT_GT(glm::dot(glm::dvec3(surface.normals[v]), inside), std::cos(glm::radians(8.0))) << surface.patch_uv[v].x;
+    EXPECT_LT(glm::dot(turned, inside), 0.0) << "the loop's own normals must point away";
+    ++on_loop;
+  }
+  EXPECT_EQ(on_loop, 9u);
+}
+
+TEST(Tessellate, WideLoopsKeepTheirNormals) {
+  const test::BezierPatches patches = SectorWithLoop(0.2f);
+  const auto& patch = patches.patches.front();
+  ASSERT_EQ(SideShapes(patches, patch)[0], SideShape::kLoop);
+  EXPECT_FALSE(IsNearlyPoint(patches, patch, 0));
+  Surface surface;
+  Tessellate(patches, std::vector<Factors>{{8, 8, 8, 8}}, {.pattern = Pattern::kInteger}, surface);
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    const glm::vec2 uv = surface.patch_uv[v];
+    const glm::dvec3 exact = geometry::EvaluateBezier(patches, patch, uv.x, uv.y).normal;
+    EXPECT_LT(glm::distance(glm::dvec3(surface.normals[v]), exact), 1e-5) << uv.x << " " << uv.y;
+  }
+}
+
+TEST(Tessellate, ALoopOfOneSegmentHasNoTriangles) {
+  const test::BezierPatches patches = SectorWithLoop(0.2f);
+  const std::vector<Factors> coarse{{1, 2, 2, 2}};
+  Surface surface;
+  Tessellate(patches, coarse, {.pattern = Pattern::kInteger}, surface);
+  EXPECT_EQ(test::CountEdgeUse(surface.indices, test::WeldByBits(surface.positions)).collapsed, 0u);
+  EXPECT_EQ(MeasureSurface(patches, coarse, Pattern::kInteger).triangles, surface.indices.size() / 3);
+  // One fewer than the pattern's 2 NuNv - Nu - Nv + nu + nv.
+  EXPECT_EQ(surface.indices.size() / 3, 2u * 2 * 2 - 2 - 2 + 1 + 2 - 1);
 }
 
 TEST(Tessellator, GivesWhatAFreshOneGives) {
