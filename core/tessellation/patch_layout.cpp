@@ -30,6 +30,11 @@ class Numbering {
 
 Spacing Denser(const Spacing& a, const Spacing& b) { return a.step <= b.step ? a : b; }
 
+/// 0: as the sides say.
+float InsideFactor(PatchDomain domain, Pattern pattern, const Factors& factors, std::size_t which) {
+  return domain == PatchDomain::kQuad && pattern == Pattern::kFractional ? factors[which] : 0.0f;
+}
+
 void NumberQuadSides(PatchLayout& layout, Numbering& numbering) {
   auto& [bottom, top, left, right] = layout.sides;
   for (Side* side : {&bottom, &top}) {
@@ -100,14 +105,17 @@ PatchLayout LayoutOf(PatchDomain domain, Pattern pattern, const Factors& factors
   layout.side_count = domain == PatchDomain::kQuad ? 4 : 3;
   for (std::uint32_t s = 0; s < layout.side_count; ++s) {
     const bool is_free = domain == PatchDomain::kQuad && shapes[s] == SideShape::kPoint;
-    layout.sides[s].spacing = SpacingOf(pattern, factors[is_free ? s ^ 1u : s]);
+    const float inside = InsideFactor(domain, pattern, factors, s < 2 ? kInsideU : kInsideV);
+    layout.sides[s].spacing = SpacingOf(pattern, !is_free ? factors[s] : inside > 0.0f ? inside : factors[s ^ 1u]);
     layout.sides[s].shape = shapes[s];
   }
   const auto& sides = layout.sides;
   Numbering numbering;
   if (domain == PatchDomain::kQuad) {
-    layout.columns = Denser(sides[0].spacing, sides[1].spacing);
-    layout.rows = Denser(sides[2].spacing, sides[3].spacing);
+    const float u = InsideFactor(domain, pattern, factors, kInsideU);
+    const float v = InsideFactor(domain, pattern, factors, kInsideV);
+    layout.columns = u > 0.0f ? SpacingOf(pattern, u) : Denser(sides[0].spacing, sides[1].spacing);
+    layout.rows = v > 0.0f ? SpacingOf(pattern, v) : Denser(sides[2].spacing, sides[3].spacing);
     NumberQuadSides(layout, numbering);
   } else {
     layout.columns = sides[0].spacing;

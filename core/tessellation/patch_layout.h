@@ -36,8 +36,7 @@ struct PatchLayout {
   Pattern pattern = Pattern::kFractional;
   std::uint32_t side_count = 4;
   std::array<Side, 4> sides;  ///< in the order of Factors
-  /// Quads, and triangles seen as quads whose side v = 1 is a point: lines inside, as many as the denser of the two
-  /// opposite sides has vertices.
+  /// Quads, and triangles seen as quads whose side v = 1 is a point: lines inside, as Factors says.
   Spacing columns, rows;
   std::uint32_t interior = 0;
   /// Fractional triangles: a spoke runs from the middle of each side to the centre; the three quads between them have
@@ -61,9 +60,9 @@ struct PatchLayout {
   }
 };
 
-/// `factors`: within [1, kMaxFactor]. `shapes`: one a side. A side of a quad that is a point is cut like the side
-/// opposite to it, whatever its own factor, so that each of the triangles that meet there has a vertex with its own
-/// normal and texture coordinates; no neighbour can tell.
+/// `factors`: within [1, kMaxFactor], or 0 inside. `shapes`: one a side. A side of a quad that is a point is cut like
+/// the lines inside or the side opposite to it, whatever its own factor, so that each of the triangles that meet there
+/// has a vertex with its own normal and texture coordinates; no neighbour can tell.
 [[nodiscard]] PatchLayout LayoutOf(geometry::PatchDomain domain, Pattern pattern, const Factors& factors,
                                    const std::array<SideShape, 4>& shapes);
 

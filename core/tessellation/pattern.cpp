@@ -104,16 +104,17 @@ void BresenhamStrip(std::span<const std::uint32_t> outer, std::span<const std::u
   }
 }
 
-/// One to one from the corner; what the grid has more meets in the outer side's last vertex, its middle. So edges come
-/// and go only with one of their ends (section 5.2), which Bresenham's strips don't keep.
+/// One to one from the corner; what either has more meets in the other's last vertex, its middle. So edges come and go
+/// only with one of their ends (section 5.2), which Bresenham's strips don't keep.
 void FanStrip(std::span<const std::uint32_t> outer, std::span<const std::uint32_t> inner, bool /*is_wedge*/,
               TriangleWriter& writer) {
   writer.Add(outer[0], outer[1], inner[0]);
-  std::size_t i = 0;
-  for (std::size_t o = 1; o + 1 < outer.size(); ++o, ++i) {
+  std::size_t o = 1, i = 0;
+  for (; o + 1 < outer.size() && i + 1 < inner.size(); ++o, ++i) {
     writer.Add(outer[o], inner[i + 1], inner[i]);
     writer.Add(outer[o], outer[o + 1], inner[i + 1]);
   }
+  for (; o + 1 < outer.size(); ++o) writer.Add(outer[o], outer[o + 1], inner.back());
   for (; i + 1 < inner.size(); ++i) writer.Add(outer.back(), inner[i + 1], inner[i]);
 }
 

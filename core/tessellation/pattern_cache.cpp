@@ -11,6 +11,8 @@ std::uint64_t PatternKey(const PatchLayout& layout) {
     key = key << 9 | (s < layout.side_count ? layout.sides[s].segments() : 0u);
     key = key << 1 | (layout.sides[s].is_collapsed() ? 1u : 0u);
   }
+  if (layout.domain == geometry::PatchDomain::kQuad)
+    key = key << 18 | layout.columns.segments() << 9 | layout.rows.segments();
   return key;
 }
 

@@ -11,7 +11,8 @@
 
 namespace burin::tessellation {
 
-/// What a pattern depends on, as one number: domain, pattern, the segments of each side, which sides are collapsed.
+/// What a pattern depends on, as one number: domain, pattern, the segments of each side and inside, which sides are
+/// collapsed.
 [[nodiscard]] std::uint64_t PatternKey(const PatchLayout& layout);
 
 /// Indices that count from 0, kept for patches that are cut alike.

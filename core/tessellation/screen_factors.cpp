@@ -70,6 +70,38 @@ double SidePixels(const BezierPatches& patches, const BezierPatch& patch, std::u
   return pixels;
 }
 
+constexpr int kMostOrder = 8;
+
+/// The mean length of the lines at 1/4, 1/2 and 3/4 of a quad, each by its control polygon. `along_v`: of lines of
+/// constant u.
+double InsidePixels(const BezierPatches& patches, const BezierPatch& patch, bool along_v, const glm::dmat4& clip,
+                    const glm::dvec2& half_size) {
+  const std::uint32_t order = along_v ? patch.position.v_order : patch.position.u_order;
+  const std::uint32_t across = along_v ? patch.position.u_order : patch.position.v_order;
+  std::array<std::array<glm::dvec4, kMostOrder>, kMostOrder> net;
+  for (std::uint32_t k = 0; k < order; ++k) {
+    for (std::uint32_t l = 0; l < across; ++l) {
+      const std::uint32_t index = ValueIndex(patch.domain, patch.position, along_v ? l : k, along_v ? k : l);
+      glm::dvec4 point = patches.positions[patch.position.first + index];
+      if (!patch.is_rational) point.w = 1.0;
+      net[k][l] = clip * point;
+    }
+  }
+  double pixels = 0.0;
+  for (const double t : {0.25, 0.5, 0.75}) {
+    glm::dvec4 last(0.0);
+    for (std::uint32_t k = 0; k < order; ++k) {
+      std::array<glm::dvec4, kMostOrder> points = net[k];
+      for (std::uint32_t left = across; left > 1; --left) {
+        for (std::uint32_t l = 0; l + 1 < left; ++l) points[l] += t * (points[l + 1] - points[l]);
+      }
+      if (k > 0) pixels += SegmentPixels(last, points[0], half_size);
+      last = points[0];
+    }
+  }
+  return pixels / 3.0;
+}
+
 /// Whether all control points are beyond one border of the picture, by a twentieth of it for what is drawn wide, or
 /// beyond one of the planes of ClipDepth.
 bool IsInvisible(const BezierPatches& patches, const BezierPatch& patch, const glm::dmat4& clip) {
@@ -100,13 +132,20 @@ std::vector<Factors> ScreenFactors(const BezierPatches& patches, const ScreenMet
     const BezierPatch& patch = patches.patches[p];
     if (metric.skips_invisible && IsInvisible(patches, patch, clip)) return;
     const auto shapes = SideShapes(patches, patch);
+    const auto factor_of = [&](double pixels) {
+      const double factor = pixels / static_cast<double>(metric.edge_length_px);
+      // False for NaN.
+      return factor >= 1.0 ? static_cast<float>(std::min(factor, most)) : 1.0f;
+    };
     for (std::uint32_t s = 0; s < SideCount(patch.domain); ++s) {
       if (shapes[s] == SideShape::kPoint) continue;
-      const double factor = SidePixels(patches, patch, s, clip, half_size) / static_cast<double>(metric.edge_length_px);
-      if (factor > most) over.fetch_add(1, std::memory_order_relaxed);
-      // False for NaN.
-      factors[p][s] = factor >= 1.0 ? static_cast<float>(std::min(factor, most)) : 1.0f;
+      const double pixels = SidePixels(patches, patch, s, clip, half_size);
+      if (pixels > most * static_cast<double>(metric.edge_length_px)) over.fetch_add(1, std::memory_order_relaxed);
+      factors[p][s] = factor_of(pixels);
     }
+    if (patch.domain != geometry::PatchDomain::kQuad) return;
+    for (const std::size_t k : {kInsideU, kInsideV})
+      factors[p][k] = factor_of(InsidePixels(patches, patch, k == kInsideV, clip, half_size));
   };
   tbb::parallel_for(std::size_t{0}, factors.size(), measure);
   if (clamped != nullptr) *clamped = over;

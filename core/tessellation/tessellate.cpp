@@ -36,7 +36,9 @@ float Clamped(float factor) {
 
 PatchLayout LayoutOfPatch(const BezierPatch& patch, const std::array<SideShape, 4>& shapes, const Factors& factors,
                           Pattern pattern) {
-  const Factors clamped{Clamped(factors[0]), Clamped(factors[1]), Clamped(factors[2]), Clamped(factors[3])};
+  Factors clamped{};
+  for (std::size_t k = 0; k < clamped.size(); ++k)
+    clamped[k] = k < kInsideU || factors[k] > 0.0f ? Clamped(factors[k]) : 0.0f;
   return LayoutOf(patch.domain, pattern, clamped, shapes);
 }
 

@@ -28,7 +28,10 @@ enum class Pattern : std::uint8_t {
 
 /// Segments along each side. Quads: u sides at v = 0 and v = 1, then v sides at u = 0 and u = 1 (NV_evaluators' nu0,
 /// nu1, nv0, nv1). Triangles: (0,0)-(1,0), (1,0)-(0,1), (0,1)-(0,0); the fourth is not used.
-using Factors = std::array<float, 4>;
+/// Fractional quads: the last two are of the lines inside, along u and along v, where a patch is wider or narrower
+/// inside than at its sides. 0, and always in the other patterns: the larger of the two opposite sides' factors.
+using Factors = std::array<float, 6>;
+inline constexpr std::size_t kInsideU = 4, kInsideV = 5;
 
 /// How long a boundary may be in pixels before it is split, and from where that is seen.
 struct ScreenMetric {
@@ -41,7 +44,9 @@ struct ScreenMetric {
 };
 
 /// One set of factors a patch, from the screen-space length of each boundary's own control polygon, so that two patches
-/// with the same boundary get the same factor. Clamped to [1, kMaxFactor]. `clamped`: how many sides met the maximum.
+/// with the same boundary get the same factor. Inside, quads get the mean of three lines' in each direction: one wide
+/// in the middle, as next to a pole, is cut for that. Clamped to [1, kMaxFactor]. `clamped`: how many sides met the
+/// maximum.
 [[nodiscard]] std::vector<Factors> ScreenFactors(const geometry::BezierPatches& patches, const ScreenMetric& metric,
                                                  std::size_t* clamped = nullptr);
 
@@ -102,8 +107,8 @@ class Tessellator {
 };
 
 /// Tessellates every patch alone, in parallel; the bits do not depend on threads, processor or swatches. `factors`: one
-/// a patch, clamped to [1, kMaxFactor] (NaN: 1). `surface`'s arrays are reused. Patches must have passed CheckPatches,
-/// and MeasureSurface must give fewer than 2^32 vertices.
+/// a patch, clamped to [1, kMaxFactor] (NaN: 1; inside 0). `surface`'s arrays are reused. Patches must have passed
+/// CheckPatches, and MeasureSurface must give fewer than 2^32 vertices.
 void Tessellate(const geometry::BezierPatches& patches, std::span<const Factors> factors, const Options& options,
                 Surface& surface);
 

@@ -69,7 +69,7 @@ struct NetworkShape {
 
 struct Network {
   BezierPatches patches;
-  std::vector<std::array<float, 4>> factors;  ///< a patch, equal on shared sides
+  std::vector<std::array<float, 6>> factors;  ///< a patch, equal on shared sides; none inside
   std::size_t boundary_sides = 0;             ///< that only one patch has
   std::vector<float> boundary_factors;        ///< of those
 };

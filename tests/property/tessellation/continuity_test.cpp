@@ -142,13 +142,15 @@ TEST(FractionalPattern, MergingNewVerticesGivesTheOldTriangles) {
       Factors before{};
       for (float& factor : before) factor = 2.0f * static_cast<float>(half(random));
       Factors after = before;
+      // Half of the patches are cut inside as their sides are.
+      if (n % 2 == 0) before[kInsideU] = before[kInsideV] = after[kInsideU] = after[kInsideV] = 0.0f;
       // One side or several pass an even factor at once.
-      const auto sides = 1 + random() % 15;
-      for (std::size_t s = 0; s < 4; ++s) after[s] += (sides >> s & 1) != 0 ? kStep : 0.0f;
+      const auto sides = 1 + random() % (n % 2 == 0 ? 15 : 63);
+      for (std::size_t s = 0; s < before.size(); ++s) after[s] += (sides >> s & 1) != 0 ? kStep : 0.0f;
       const PatchLayout old = Layout(domain, before), now = Layout(domain, after);
       ASSERT_EQ(Triangles(now, old), Triangles(old, old))
           << "seed " << kSeed << " case " << n << " factors " << before[0] << " " << before[1] << " " << before[2]
-          << " " << before[3] << " sides " << sides;
+          << " " << before[3] << " inside " << before[4] << " " << before[5] << " sides " << sides;
     }
   }
 }
@@ -183,7 +185,10 @@ void SweepWindow(const test::BezierPatches& patches, const Factors& ratios, floa
   std::optional<Swept> last;
   for (int n = 0; n <= steps; ++n) {
     Factors factors{};
-    for (std::size_t s = 0; s < 4; ++s) factors[s] = std::max(1.0f, ratios[s] * (from + kStep * static_cast<float>(n)));
+    for (std::size_t s = 0; s < factors.size(); ++s) {
+      // Without a ratio of its own the inside follows the sides.
+      if (ratios[s] > 0.0f) factors[s] = std::max(1.0f, ratios[s] * (from + kStep * static_cast<float>(n)));
+    }
     Swept now = Sweep(patches, factors, surface);
     // Triangles are thin at birth, but none turns over by more than what rounding its parameters does.
     ASSERT_GT(LeastArea(surface), -1.5e-7) << "factor " << factors[0];
@@ -211,7 +216,8 @@ TEST(FractionalPattern, VerticesMoveNoFasterThanFactors) {
       return glm::vec4(coordinate(random), coordinate(random), coordinate(random), 1.0f);
     };
     n % 2 == 0 ? test::AddQuad(patches, 4, 4, point) : test::AddTriangle(patches, 4, point);
-    const Factors ratios{1.0f, ratio(random), ratio(random), ratio(random)};
+    Factors ratios{1.0f, ratio(random), ratio(random), ratio(random)};
+    if (n % 3 != 0) ratios[kInsideU] = ratio(random), ratios[kInsideV] = ratio(random);
     // Half of the windows are about an even factor, where vertices are born.
     const float at = n % 4 < 2 ? start(random) : 2.0f * static_cast<float>(1 + n % 31) - 0.003f;
     SweepWindow(patches, ratios, at, 8, speed);

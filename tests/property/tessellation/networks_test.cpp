@@ -79,9 +79,11 @@ struct Count {
   std::size_t vertices = 0, triangles = 0;
 };
 
-/// The closed forms of the patterns, from the segments of each side.
-Count QuadCount(Pattern pattern, std::size_t u0, std::size_t u1, std::size_t v0, std::size_t v1) {
-  const std::size_t nu = std::max(u0, u1), nv = std::max(v0, v1), mu = std::min(u0, u1), mv = std::min(v0, v1);
+/// The closed forms of the patterns, from the segments of each side and, where they are not 0, inside.
+Count QuadCount(Pattern pattern, std::size_t u0, std::size_t u1, std::size_t v0, std::size_t v1, std::size_t inside_u,
+                std::size_t inside_v) {
+  const std::size_t nu = inside_u > 0 ? inside_u : std::max(u0, u1), nv = inside_v > 0 ? inside_v : std::max(v0, v1);
+  const std::size_t mu = std::min(u0, u1), mv = std::min(v0, v1);
   if (pattern == Pattern::kInteger) return {nu * nv + mu + mv + 1, 2 * nu * nv + mu + mv - nu - nv};
   return {(nu - 1) * (nv - 1) + u0 + u1 + v0 + v1, 2 * nu * nv - 2 * (nu + nv) + u0 + u1 + v0 + v1};
 }
@@ -102,12 +104,13 @@ Count TriangleCount(Pattern pattern, std::size_t a, std::size_t b, std::size_t c
   return count;
 }
 
-Count ExpectedCount(const Network& network, Pattern pattern, bool has_pole) {
+Count ExpectedCount(const Network& network, std::span<const Factors> factors, Pattern pattern, bool has_pole) {
   Count sum;
-  for (std::size_t p = 0; p < network.factors.size(); ++p) {
+  for (std::size_t p = 0; p < factors.size(); ++p) {
     const BezierPatch& patch = network.patches.patches[p];
-    std::array<std::size_t, 4> n{};
-    for (std::size_t s = 0; s < 4; ++s) n[s] = Segments(pattern, network.factors[p][s]);
+    std::array<std::size_t, 6> n{};
+    const bool has_inside = pattern == Pattern::kFractional && factors[p][kInsideU] > 0.0f;
+    for (std::size_t s = 0; s < n.size(); ++s) n[s] = s < 4 || has_inside ? Segments(pattern, factors[p][s]) : 0;
     std::size_t dropped = 0;
     if (has_pole) {
       const auto point = [&](std::uint32_t k) { return network.patches.positions[patch.position.first + k]; };
@@ -120,7 +123,7 @@ Count ExpectedCount(const Network& network, Pattern pattern, bool has_pole) {
                                      collapsed(last, order)};
         for (std::size_t s = 0; s < 4; ++s) {
           if (!is[s]) continue;
-          n[s] = n[s ^ 1];
+          n[s] = has_inside ? n[s < 2 ? kInsideU : kInsideV] : n[s ^ 1];
           dropped += n[s];
         }
       } else {
@@ -131,7 +134,7 @@ Count ExpectedCount(const Network& network, Pattern pattern, bool has_pole) {
         if (c == a) dropped += n[2];
       }
     }
-    const Count count = patch.domain == PatchDomain::kQuad ? QuadCount(pattern, n[0], n[1], n[2], n[3])
+    const Count count = patch.domain == PatchDomain::kQuad ? QuadCount(pattern, n[0], n[1], n[2], n[3], n[4], n[5])
                                                            : TriangleCount(pattern, n[0], n[1], n[2]);
     sum.vertices += count.vertices;
     sum.triangles += count.triangles - dropped;
@@ -212,16 +215,21 @@ void CheckNetwork(std::uint32_t seed) {
   const NetworkShape shape = RandomShape(random);
   NetworkBuilder builder(shape, random, [&] { return RandomFactor(random); });
   const Network network = builder.Build();
-  const std::vector<Factors> factors(network.factors.begin(), network.factors.end());
+  std::vector<Factors> factors(network.factors.begin(), network.factors.end());
+  const bool has_inside = random() % 2 == 0;
+  for (Factors& of_patch : factors) {
+    if (has_inside) of_patch[kInsideU] = RandomFactor(random), of_patch[kInsideV] = RandomFactor(random);
+  }
   ASSERT_TRUE(geometry::CheckPatches(network.patches, "network").has_value());
   for (const Pattern pattern : {Pattern::kInteger, Pattern::kFractional}) {
     SCOPED_TRACE(testing::Message() << "seed " << seed << (pattern == Pattern::kInteger ? " integer" : " fractional")
                                     << " order " << shape.order << " pole " << shape.has_pole << " moebius "
-                                    << shape.is_moebius << " rational " << shape.is_rational << " triangles "
-                                    << shape.triangle_share << " wraps " << shape.wraps_columns << shape.wraps_rows);
+                                    << shape.is_moebius << " rational " << shape.is_rational << " inside " << has_inside
+                                    << " triangles " << shape.triangle_share << " wraps " << shape.wraps_columns
+                                    << shape.wraps_rows);
     Surface surface;
     Tessellate(network.patches, factors, {.pattern = pattern}, surface);
-    const Count expected = ExpectedCount(network, pattern, shape.has_pole);
+    const Count expected = ExpectedCount(network, factors, pattern, shape.has_pole);
     EXPECT_EQ(surface.positions.size(), expected.vertices);
     EXPECT_EQ(surface.indices.size(), 3 * expected.triangles);
     const SurfaceSize size = MeasureSurface(network.patches, factors, pattern);

@@ -38,14 +38,31 @@ TEST(ScreenFactors, AreSideLengthsInPixels) {
   EXPECT_FLOAT_EQ(factors[0][3], 10.0f);
 }
 
+TEST(ScreenFactors, MeasurePatchesInside) {
+  // A sheet in the form of an hourglass on its side: wide where v is 0 and 1, a third as wide in the middle.
+  test::BezierPatches patches;
+  test::AddQuad(patches, 2, 3, [&](int i, int j) {
+    const float half = j == 1 ? -0.5f / 3.0f : 0.5f;
+    return glm::vec4(i == 0 ? -half : half, 0.5f * static_cast<float>(j), 0.0f, 1.0f);
+  });
+  const auto factors = ScreenFactors(patches, {.width = 800, .height = 400, .edge_length_px = 8.0f});
+  EXPECT_FLOAT_EQ(factors[0][0], 50.0f);
+  EXPECT_FLOAT_EQ(factors[0][1], 50.0f);
+  // Its width is 1 - 8/3 v (1 - v): a half at v = 1/4 and 3/4, a third at 1/2.
+  EXPECT_NEAR(factors[0][kInsideU], 50.0f * (0.5f + 1.0f / 3.0f + 0.5f) / 3.0f, 1e-4f);
+  // Its sides are bent, its lines inside less so.
+  EXPECT_LT(factors[0][kInsideV], factors[0][2]);
+  EXPECT_GT(factors[0][kInsideV], 25.0f);
+}
+
 TEST(ScreenFactors, ClampAndCount) {
   const auto patches = Square(2.0f);
   std::size_t clamped = 0;
   auto factors = ScreenFactors(patches, {.width = 4000, .height = 40, .edge_length_px = 8.0f}, &clamped);
-  EXPECT_EQ(factors[0], (Factors{256.0f, 256.0f, 5.0f, 5.0f}));
+  EXPECT_EQ(factors[0], (Factors{256.0f, 256.0f, 5.0f, 5.0f, 256.0f, 5.0f}));
   EXPECT_EQ(clamped, 2u);
   factors = ScreenFactors(patches, {.width = 4, .height = 4}, &clamped);
-  EXPECT_EQ(factors[0], (Factors{1.0f, 1.0f, 1.0f, 1.0f}));
+  EXPECT_EQ(factors[0], (Factors{1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}));
   EXPECT_EQ(clamped, 0u);
 }
 
@@ -135,7 +152,7 @@ TEST(ScreenFactors, GiveCollapsedSidesAndBadMetricsOne) {
   test::AddQuad(patches, 4, 4, [](float i, float j) { return glm::vec4(j == 0 ? 0.0f : i, j, 0.0f, 1.0f); });
   EXPECT_EQ(ScreenFactors(patches, {.width = 100, .height = 100, .edge_length_px = 1.0f})[0][0], 1.0f);
   const auto none = ScreenFactors(patches, {.clip_from_object = glm::mat4(NAN), .width = 100, .height = 100});
-  EXPECT_EQ(none[0], (Factors{1.0f, 1.0f, 1.0f, 1.0f}));
+  EXPECT_EQ(none[0], (Factors{1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}));
 }
 
 }  // namespace
