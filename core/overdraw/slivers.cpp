@@ -8,7 +8,9 @@
 namespace burin::overdraw {
 namespace {
 
-constexpr double kSliverHeight = 1e-3;  // of the longest edge
+// Of the longest edge. Where a strip joins lines of different density its triangles are long and tilt by more than the
+// surface bends between neighbours.
+constexpr double kSliverHeight = 0.05;
 
 bool IsSliver(const std::uint32_t* corner, std::span<const glm::vec3> positions) {
   const glm::dvec3 a(positions[corner[0]]);
