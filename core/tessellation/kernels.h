@@ -27,10 +27,18 @@ struct LineVertices {
 /// Which parts of a curve are wanted.
 enum class CurveParts : std::uint8_t { kFromStart, kEndsAndMiddle, kAll };
 
+/// How a net's control points lie: v_count rows, each as long as the first or, of triangles, one shorter than the last.
+struct NetShape {
+  int u_count = 0, v_count = 0;
+  bool is_triangle = false;
+};
+
 struct Kernels {
-  /// Adds the products of two polynomials' rows of scaled control points, x y z as cross products, to sum[0] to
-  /// sum[a_count + b_count - 2]. The products' components come in the order y z x. `b_rotated`: b's y z x.
-  void (*convolve_cross)(const Lanes* a, int a_count, const Lanes* b, const Lanes* b_rotated, int b_count, Lanes* sum);
+  /// The product of two polynomials by their scaled control points, x y z as cross products: a convolution.
+  void (*multiply_cross)(const Lanes* a, const NetShape& a_shape, const Lanes* b, const NetShape& b_shape,
+                         Lanes* product);
+  /// to[i] = from[i] * scales[i].
+  void (*scale)(const Lanes* from, const double* scales, int count, Lanes* to);
   /// For each of `row_count` Bézier curves of one degree, control points `point_stride` apart, those of curve r from
   /// points[r * row_stride] on: what forward differencing for steps of `step` starts from (SteppedCurve).
   void (*start_curves)(const Lanes* points, std::ptrdiff_t point_stride, std::ptrdiff_t row_stride, int row_count,

@@ -14,6 +14,8 @@ using UnalignedEight = std::uint32_t __attribute__((vector_size(32), aligned(4),
 #define BURIN_INLINE [[gnu::always_inline]] static inline
 // Loops over degrees must vanish: copying values in halves and reading them whole stalls the processor.
 #define BURIN_UNROLL _Pragma("GCC unroll 16")
+// Loops over vertices are bound by how many instructions the processor takes a cycle.
+#define BURIN_UNROLL_SOME _Pragma("GCC unroll 4")
 
 BURIN_INLINE Floats Rounded(const Lanes& value) { return __builtin_convertvector(value, Floats); }
 
@@ -57,6 +59,7 @@ BURIN_INLINE void StepDegree(Lanes* differences, std::uint32_t count, Lanes* out
   Lanes d[kDegree + 1];
   BURIN_UNROLL
   for (int k = 0; k <= kDegree; ++k) d[k] = differences[k];
+  BURIN_UNROLL_SOME
   for (std::uint32_t i = 0; i < count; ++i) {
     BURIN_UNROLL
     for (int k = 0; k < kDegree; ++k) d[k] += d[k + 1];
@@ -114,6 +117,35 @@ static void ConvolveCross(const Lanes* a, int a_count, const Lanes* b, const Lan
     const Lanes plain = a[i], rotated = __builtin_shuffle(plain, WideIndices{1, 2, 0, 3});
     for (int k = 0; k < b_count; ++k) sum[i + k] += plain * b_rotated[k] - rotated * b[k];
   }
+}
+
+BURIN_INLINE int RowLength(const NetShape& shape, int row) { return shape.u_count - (shape.is_triangle ? row : 0); }
+
+static void MultiplyCross(const Lanes* a, const NetShape& a_shape, const Lanes* b, const NetShape& b_shape,
+                          Lanes* product) {
+  Lanes b_rotated[kMaxNetOrder * kMaxNetOrder];
+  int b_count = 0;
+  for (int row = 0; row < b_shape.v_count; ++row) b_count += RowLength(b_shape, row);
+  for (int k = 0; k < b_count; ++k) b_rotated[k] = __builtin_shuffle(b[k], WideIndices{1, 2, 0, 3});
+  const NetShape shape{a_shape.u_count + b_shape.u_count - 1, a_shape.v_count + b_shape.v_count - 1,
+                       a_shape.is_triangle};
+  int starts[2 * kMaxNetOrder], count = 0;
+  for (int row = 0; row < shape.v_count; ++row) {
+    starts[row] = count;
+    count += RowLength(shape, row);
+  }
+  for (int k = 0; k < count; ++k) product[k] = Lanes{};
+  for (int i = 0; i < a_shape.v_count; a += RowLength(a_shape, i), ++i) {
+    for (int k = 0, first = 0; k < b_shape.v_count; first += RowLength(b_shape, k), ++k)
+      ConvolveCross(a, RowLength(a_shape, i), b + first, b_rotated + first, RowLength(b_shape, k),
+                    product + starts[i + k]);
+  }
+  // The components came in the order y z x.
+  for (int k = 0; k < count; ++k) product[k] = __builtin_shuffle(product[k], WideIndices{1, 2, 0, 3});
+}
+
+static void ScaleValues(const Lanes* from, const double* scales, int count, Lanes* to) {
+  for (int k = 0; k < count; ++k) to[k] = from[k] * scales[k];
 }
 
 /// `points`: control points; overwritten. `scales`: C(degree, m) step^m.
@@ -225,6 +257,7 @@ static void StoreValuesXyzw(const Lanes* values, std::uint32_t count, float* out
 
 static void StoreValuesXyz(const Lanes* values, std::uint32_t count, float* out) {
   if (count == 0) return;
+  BURIN_UNROLL_SOME
   for (std::uint32_t i = 0; i + 1 < count; ++i, out += 3) StoreOver(Rounded(values[i]), out);
   StoreXyz(Rounded(values[count - 1]), out);
 }
@@ -345,7 +378,8 @@ struct Clean<kKernel> {
   }
 };
 
-static constexpr Kernels kKernels{.convolve_cross = Clean<ConvolveCross>::Run,
+static constexpr Kernels kKernels{.multiply_cross = Clean<MultiplyCross>::Run,
+                                  .scale = Clean<ScaleValues>::Run,
                                   .start_curves = Clean<StartCurves>::Run,
                                   .bernstein = Clean<Bernstein>::Run,
                                   .combine = Clean<Combine>::Run,
@@ -362,3 +396,4 @@ static constexpr Kernels kKernels{.convolve_cross = Clean<ConvolveCross>::Run,
 
 #undef BURIN_INLINE
 #undef BURIN_UNROLL
+#undef BURIN_UNROLL_SOME

@@ -19,56 +19,31 @@ double InverseScale(const Net& net, int i, int j) {
   return InverseChoose(net.u_degree, j) * InverseChoose(net.u_degree - j, i);
 }
 
-void CopyShape(const Net& from, Net& to) {
-  to.domain = from.domain;
-  to.u_degree = from.u_degree;
-  to.v_degree = from.v_degree;
-}
+NetShape ShapeOf(const Net& net) { return {net.u_degree + 1, net.v_degree + 1, !net.is_quad()}; }
 
-void ScaleUp(const Net& net, Net& scaled) {
-  CopyShape(net, scaled);
+template <class ScaleOf>
+void ScaleBy(const Kernels& kernels, const Net& net, const ScaleOf& scale_of, Net& scaled) {
+  std::array<double, kMaxNetOrder * kMaxNetOrder> scales;
   for (int j = 0; j <= net.v_degree; ++j) {
     const int row = net.Index(0, j);
-    for (int i = 0; i < net.RowLength(j); ++i) scaled.value[row + i] = net.value[row + i] * Scale(net, i, j);
+    for (int i = 0; i < net.RowLength(j); ++i) scales[static_cast<std::size_t>(row + i)] = scale_of(net, i, j);
   }
-}
-
-/// The products' components come as y, z, x (see Kernels::convolve_cross).
-void ScaleDownRotated(Net& net) {
-  for (int j = 0; j <= net.v_degree; ++j) {
-    const int row = net.Index(0, j);
-    for (int i = 0; i < net.RowLength(j); ++i) {
-      Lanes& value = net.value[row + i];
-      value = Lanes{value[1], value[2], value[0], 0.0} * InverseScale(net, i, j);
-    }
-  }
+  scaled.domain = net.domain;
+  scaled.u_degree = net.u_degree;
+  scaled.v_degree = net.v_degree;
+  kernels.scale(net.value.data(), scales.data(), net.Count(), scaled.value.data());
 }
 
 void StartProduct(const Net& a, const Net& b, Net& product) {
   product.domain = a.domain;
   product.u_degree = a.u_degree + b.u_degree;
   product.v_degree = a.v_degree + b.v_degree;
-  for (int k = 0; k < product.Count(); ++k) product.value[k] = Lanes{};
-}
-
-void Rotate(const Net& net, Net& rotated) {
-  CopyShape(net, rotated);
-  for (int k = 0; k < net.Count(); ++k) {
-    const Lanes& value = net.value[k];
-    rotated.value[k] = Lanes{value[1], value[2], value[0], 0.0};
-  }
 }
 
 /// All in scaled form.
 void MultiplyCross(const Kernels& kernels, const Net& a, const Net& b, Net& product) {
   StartProduct(a, b, product);
-  Net rotated;
-  Rotate(b, rotated);
-  for (int ja = 0; ja <= a.v_degree; ++ja) {
-    for (int jb = 0; jb <= b.v_degree; ++jb)
-      kernels.convolve_cross(&a.At(0, ja), a.RowLength(ja), &b.At(0, jb), &rotated.At(0, jb), b.RowLength(jb),
-                             &product.At(0, ja + jb));
-  }
+  kernels.multiply_cross(a.value.data(), ShapeOf(a), b.value.data(), ShapeOf(b), product.value.data());
 }
 
 /// Adds sign * a * the weight of b to `sum`; all in scaled form.
@@ -88,6 +63,7 @@ void MultiplyRational(const Kernels& kernels, const Net& p, const Net& du, const
   Net product;
   MultiplyCross(kernels, du, dv, product);
   StartProduct(product, p, normal);
+  std::fill_n(normal.value.begin(), normal.Count(), Lanes{});
   AccumulateWeighted(product, p, 1.0, normal);
   MultiplyCross(kernels, du, p, product);
   AccumulateWeighted(product, dv, -1.0, normal);
@@ -100,16 +76,16 @@ void MultiplyRational(const Kernels& kernels, const Net& p, const Net& du, const
 void MakeNormalNet(const Kernels& kernels, const Net& position, const Net& du, const Net& dv, bool is_rational,
                    Net& normal) {
   Net scaled_du, scaled_dv;
-  ScaleUp(du, scaled_du);
-  ScaleUp(dv, scaled_dv);
+  ScaleBy(kernels, du, Scale, scaled_du);
+  ScaleBy(kernels, dv, Scale, scaled_dv);
   if (is_rational) {
     Net scaled_position;
-    ScaleUp(position, scaled_position);
+    ScaleBy(kernels, position, Scale, scaled_position);
     MultiplyRational(kernels, scaled_position, scaled_du, scaled_dv, normal);
   } else {
     MultiplyCross(kernels, scaled_du, scaled_dv, normal);
   }
-  ScaleDownRotated(normal);
+  ScaleBy(kernels, normal, InverseScale, normal);
 }
 
 }  // namespace burin::tessellation

@@ -2,7 +2,7 @@
 // Moreton, sections 3, 4 and 8, with these differences:
 //  - Rows start from Bernstein weights, not by stepping a matrix of differences along v: as cheap on a CPU, and a row's
 //    accuracy doesn't depend on how many went before.
-//  - Every curve is stepped from both of its ends to the middle, in both patterns, and the middle is a sum without a
+//  - Sides, in both patterns, are stepped from both of their ends to the middle, and the middle is a sum without a
 //    direction. So a side's vertices don't depend on which way a patch runs along it: there is no canonical direction
 //    to choose, reversed transitions need no rows of their own, and special vertices are just vertices in memory.
 //  - Guard curves carry every attribute, not position and normal alone.
@@ -42,9 +42,7 @@ void PatchEvaluator::Configure(const Kernels& kernels, std::uint32_t swatch_vert
 
 template <class Visit>
 void PatchEvaluator::ForEachChannel(const Visit& visit) {
-  for (std::size_t c = 0; c < kChannelCount; ++c) {
-    if (nets_.has[c]) visit(c);
-  }
+  for (std::uint32_t i = 0; i < channel_count_; ++i) visit(std::size_t{channels_[i]});
 }
 
 void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, std::size_t index, const PatchLayout& layout,
@@ -57,6 +55,10 @@ void PatchEvaluator::Evaluate(const geometry::BezierPatches& patches, std::size_
     nets_.Load(*kernels_, patches, patch, wants_tangents_);
     // Loading is as quick as restoring where nothing is derived.
     if (!patch.normal || wants_tangents_) stored.Store(index, nets_);
+  }
+  channel_count_ = 0;
+  for (std::uint8_t c = 0; c < kChannelCount; ++c) {
+    if (nets_.has[c]) channels_[channel_count_++] = c;
   }
   if (patch.domain == PatchDomain::kTriangle && layout.pattern == Pattern::kFractional) {
     ThreeGrids(layout);
@@ -91,7 +93,7 @@ void PatchEvaluator::GuardCurve(const Side& side, std::uint32_t index) {
   const bool has_start = side.StartAdjoins(), has_end = side.EndAdjoins();
   const std::uint32_t skipped = has_start ? 0 : 1;
   const std::uint32_t count = side.segments() - skipped + (has_end ? 1 : 0);
-  for (std::uint32_t i = 0; i < count; ++i) side_parameters_[i] = side.spacing.Parameter(i + skipped);
+  side.spacing.Fill(skipped, count, side_parameters_.data());
   const LineVertices vertices{.from_start = side.spacing.inner_half(),
                               .from_end = side.spacing.inner_half(),
                               .has_middle = side.spacing.has_middle,
@@ -130,10 +132,13 @@ void PatchEvaluator::WholeGrid(const PatchLayout& layout) {
     StartPart(TrianglePart::kWhole);
   }
   const std::uint32_t columns = layout.columns.segments() - 1, rows = layout.rows.segments() - 1;
-  for (std::uint32_t i = 0; i < columns; ++i) column_parameters_[i] = layout.columns.Parameter(i + 1);
-  for (std::uint32_t j = 0; j < rows; ++j) row_parameters_[j] = layout.rows.Parameter(j + 1);
+  layout.columns.Fill(1, columns, column_parameters_.data());
+  layout.rows.Fill(1, rows, row_parameters_.data());
+  // Of the integer pattern only sides must not depend on a direction.
   const std::uint32_t half = layout.columns.inner_half();
-  Rows({.columns = {.from_start = half, .from_end = half, .has_middle = layout.columns.has_middle},
+  const LineVertices whole{.from_start = columns},
+      halves{.from_start = half, .from_end = half, .has_middle = layout.columns.has_middle};
+  Rows({.columns = layout.pattern == Pattern::kInteger ? whole : halves,
         .column_step = layout.columns.step,
         .first_vertex = first_vertex_ + layout.interior,
         .column_count = columns,

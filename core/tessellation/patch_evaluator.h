@@ -58,6 +58,8 @@ class PatchEvaluator {
   VertexWriter writer_;
   std::uint32_t first_vertex_ = 0;
   PatchNets nets_;
+  std::array<std::uint8_t, kChannelCount> channels_{};  ///< those that the patch has
+  std::uint32_t channel_count_ = 0;
   std::array<Net, kChannelCount> parts_;                                    ///< of triangles, as quads
   std::array<const Net*, kChannelCount> grid_nets_{};                       ///< what Rows evaluates
   std::array<std::array<SteppedCurve, kMaxNetOrder>, kChannelCount> rows_;  ///< a curve a row of control points

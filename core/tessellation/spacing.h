@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -18,9 +19,16 @@ struct Spacing {
   [[nodiscard]] std::uint32_t segments() const { return 2 * per_half - (has_middle ? 0 : 1); }
   /// Vertices between an end and the middle.
   [[nodiscard]] std::uint32_t inner_half() const { return per_half - 1; }
-  [[nodiscard]] double Parameter(std::uint32_t vertex) const {
-    if (vertex < per_half) return vertex * step;
-    return has_middle && vertex == per_half ? 0.5 : 1.0 - (segments() - vertex) * step;
+  /// Parameters of the vertices from `first` on.
+  void Fill(std::uint32_t first, std::uint32_t count, double* out) const {
+    const std::uint32_t end = first + count, before = std::min(end, per_half);
+    std::uint32_t vertex = first;
+    for (; vertex < before; ++vertex) *out++ = vertex * step;
+    if (has_middle && vertex == per_half && vertex < end) {
+      *out++ = 0.5;
+      ++vertex;
+    }
+    for (const std::uint32_t last = segments(); vertex < end; ++vertex) *out++ = 1.0 - (last - vertex) * step;
   }
 };
 
