@@ -66,6 +66,16 @@ Result<void> StoreEdges(Settings& settings, const std::string& value) {
   return {};
 }
 
+Result<void> StoreUp(Settings& settings, const std::string& value) {
+  using enum scene::UpAxis;
+  const bool is_minus = value.front() == '-';
+  const char axis = value.back();
+  settings.job.up = axis == 'x'   ? (is_minus ? kMinusX : kX)
+                    : axis == 'z' ? (is_minus ? kMinusZ : kZ)
+                                  : (is_minus ? kMinusY : kY);
+  return {};
+}
+
 Result<void> StoreTessellation(Settings& settings, const std::string& value) {
   using enum scene::TessellationMode;
   settings.job.tessellation.mode = value == "off" ? kOff : value == "integer" ? kInteger : kFractional;
@@ -229,6 +239,9 @@ constexpr OptionSpec kTable[] = {
        s.job.animation = v;
        return Result<void>();
      }},
+    {"up", 0, "AXIS", kRender | kTessellate, kScene,
+     "Which of the file's axes points upwards; patch models and .obj files often have z there. Otherwise y, glTF's.",
+     "x|-x|y|-y|z|-z", Repeat::kLast, StoreUp},
     {"environment", 0, "FILE", kRender, kScene,
      "Equirectangular map (.hdr, .exr) that lights the scene. Otherwise a neutral one that is built in.", "",
      Repeat::kLast,

@@ -10,6 +10,7 @@
 #include "core/image/image_module.h"
 #include "core/overdraw/edge_options.h"
 #include "core/scene/tessellation_options.h"
+#include "core/scene/up_axis.h"
 #include "core/translucency/translucency_options.h"
 #include "core/video/video_module.h"
 
@@ -36,6 +37,7 @@ struct Job {
   /// Frames of a full turn that ends where it began (frame 1 + turntable_frames looks like frame 1); 0: no turning.
   long turntable_frames = 0;
   std::string animation = "auto";
+  scene::UpAxis up = scene::UpAxis::kY;
   std::string environment;
   std::optional<std::array<float, 4>> background;  ///< scene-linear RGBA behind a scene; absent: transparent
   overdraw::EdgeOptions edges;

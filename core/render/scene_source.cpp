@@ -214,6 +214,7 @@ Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job) {
   };
   auto scene = scene::ReadScene(job.source, options);
   if (!scene) return std::unexpected(scene.error());
+  scene::TurnUpwards(job.up, *scene);
   auto animations = scene::SelectAnimations(*scene, job.animation);
   if (!animations) return std::unexpected(animations.error());
   auto camera = scene::SelectCamera(*scene, job.camera);
