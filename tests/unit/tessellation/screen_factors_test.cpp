@@ -38,21 +38,29 @@ TEST(ScreenFactors, AreSideLengthsInPixels) {
   EXPECT_FLOAT_EQ(factors[0][3], 10.0f);
 }
 
-TEST(ScreenFactors, MeasurePatchesInside) {
-  // A sheet in the form of an hourglass on its side: wide where v is 0 and 1, a third as wide in the middle.
+/// As wide as `middle` half-way between sides that are half a unit wide.
+test::BezierPatches Barrel(float middle) {
   test::BezierPatches patches;
   test::AddQuad(patches, 2, 3, [&](int i, int j) {
-    const float half = j == 1 ? -0.5f / 3.0f : 0.5f;
+    const float half = 0.5f * (j == 1 ? 2.0f * middle - 0.5f : 0.5f);
     return glm::vec4(i == 0 ? -half : half, 0.5f * static_cast<float>(j), 0.0f, 1.0f);
   });
-  const auto factors = ScreenFactors(patches, {.width = 800, .height = 400, .edge_length_px = 8.0f});
-  EXPECT_FLOAT_EQ(factors[0][0], 50.0f);
-  EXPECT_FLOAT_EQ(factors[0][1], 50.0f);
-  // Its width is 1 - 8/3 v (1 - v): a half at v = 1/4 and 3/4, a third at 1/2.
-  EXPECT_NEAR(factors[0][kInsideU], 50.0f * (0.5f + 1.0f / 3.0f + 0.5f) / 3.0f, 1e-4f);
-  // Its sides are bent, its lines inside less so.
-  EXPECT_LT(factors[0][kInsideV], factors[0][2]);
-  EXPECT_GT(factors[0][kInsideV], 25.0f);
+  return patches;
+}
+
+TEST(ScreenFactors, MeasurePatchesInside) {
+  const auto inside = [](float middle) {
+    const auto factors = ScreenFactors(Barrel(middle), {.width = 800, .height = 400, .edge_length_px = 8.0f});
+    EXPECT_FLOAT_EQ(factors[0][0], 25.0f);
+    EXPECT_FLOAT_EQ(factors[0][1], 25.0f);
+    return factors[0][kInsideU];
+  };
+  // At 1/4 and 3/4 three quarters of what the middle has more, so five sixths of it on average.
+  EXPECT_NEAR(inside(1.1f), 25.0f * (1.0f + 1.2f * 5.0f / 6.0f), 1e-4f);
+  EXPECT_FLOAT_EQ(inside(0.2f), 25.0f) << "narrower inside";
+  EXPECT_FLOAT_EQ(inside(0.55f), 25.0f) << "hardly wider";
+  const float part = inside(0.65f);  // wider by a quarter on average
+  EXPECT_NEAR(part, 25.0f * (1.0f + 0.5f * 0.1f / 0.35f), 1e-3f);
 }
 
 TEST(ScreenFactors, ClampAndCount) {
