@@ -82,7 +82,7 @@ Result<EdgeMesh> BuildEdgeMesh(const MeshInput& input, const EdgeMeshOptions& op
   if (!input.is_curved) degenerate = geometry::FindDegenerate(mesh.triangles, mesh.positions);
   mesh.edges = geometry::BuildEdges(mesh.triangles, welded, degenerate);
   ComputeFacePlanes(mesh.triangles, mesh.positions, degenerate, mesh.planes);
-  if (input.is_curved) TurnSlivers(mesh.triangles, mesh.positions, mesh.edges, mesh.planes);
+  if (input.is_curved) TurnSlivers(mesh.triangles, mesh.positions, input.normals, mesh.edges, mesh.planes);
   mesh.kinds = ClassifyEdges(input, mesh.edges, mesh.planes, options.crease_angle_deg);
   mesh.is_open = FindOpenSurfaces(mesh.edges, mesh.kinds, mesh.double_sided, mesh.face_count());
   mesh.is_closed = !mesh.edges.empty() && std::ranges::find(mesh.is_open, 1) == mesh.is_open.end();

@@ -2,21 +2,29 @@
 #include "core/overdraw/slivers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
 namespace burin::overdraw {
 namespace {
 
-// Of the longest edge. Where a strip joins lines of different density its triangles are long and tilt by more than the
-// surface bends between neighbours.
-constexpr double kSliverHeight = 0.05;
+constexpr double kSliverHeight = 1e-3, kThinHeight = 0.1;  // of the longest edge
+constexpr float kTilted = 0.97f;                           // cosine, of 14 degrees
 
-bool IsSliver(const std::uint32_t* corner, std::span<const glm::vec3> positions) {
+/// Of a triangle's height over its longest edge, as a share of that.
+double HeightOf(const std::uint32_t* corner, std::span<const glm::vec3> positions) {
   const glm::dvec3 a(positions[corner[0]]);
   const glm::dvec3 ab = glm::dvec3(positions[corner[1]]) - a, ac = glm::dvec3(positions[corner[2]]) - a;
   const double longest2 = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(ac - ab, ac - ab)});
-  return glm::length(glm::cross(ab, ac)) <= kSliverHeight * longest2;
+  return longest2 > 0.0 ? glm::length(glm::cross(ab, ac)) / longest2 : 0.0;
+}
+
+/// Against the mean of its corners' normals, whichever way those look.
+bool IsTilted(const std::uint32_t* corner, std::span<const glm::vec3> normals, const glm::vec3& plane) {
+  if (normals.empty()) return false;
+  const glm::vec3 mean = normals[corner[0]] + normals[corner[1]] + normals[corner[2]];
+  return std::abs(glm::dot(mean, plane)) < kTilted * glm::length(mean);
 }
 
 /// The neighbour whose plane a sliver takes.
@@ -32,12 +40,15 @@ void Copy(std::uint32_t from, std::uint32_t to, FacePlanes& planes) {
 }  // namespace
 
 void TurnSlivers(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
-                 std::span<const geometry::Edge> edges, FacePlanes& planes) {
+                 std::span<const glm::vec3> normals, std::span<const geometry::Edge> edges, FacePlanes& planes) {
   constexpr int kRounds = 8;  // slivers beside slivers: few in a row
   std::vector<std::uint8_t> is_sliver(triangles.size() / 3);
   std::size_t left = 0;
   for (std::size_t f = 0; f < is_sliver.size(); ++f) {
-    is_sliver[f] = IsSliver(&triangles[3 * f], positions) ? 1 : 0;
+    const double height = HeightOf(&triangles[3 * f], positions);
+    const bool is_turned =
+        height <= kSliverHeight || (height <= kThinHeight && IsTilted(&triangles[3 * f], normals, planes.Normal(f)));
+    is_sliver[f] = is_turned ? 1 : 0;
     left += is_sliver[f];
   }
   for (int round = 0; round < kRounds && left > 0; ++round) {
