@@ -243,7 +243,8 @@ constexpr OptionSpec kTable[] = {
      "Which of the file's axes points upwards; patch models and .obj files often have z there. Otherwise y, glTF's.",
      "x|-x|y|-y|z|-z", Repeat::kLast, StoreUp},
     {"environment", 0, "FILE", kRender, kScene,
-     "Equirectangular map (.hdr, .exr) that lights the scene. Otherwise a neutral one that is built in.", "",
+     "Map (.hdr, .exr) that lights the scene: equirectangular, or a cube as a cross (4:3, 3:4) or a row or column of "
+     "faces (+x -x +y -y +z -z). Otherwise a neutral one that is built in.", "",
      Repeat::kLast,
      [](Settings& s, const std::string& v) {
        s.job.environment = v;

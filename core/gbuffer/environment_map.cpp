@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "core/gbuffer/cube_layout.h"
 #include "core/gbuffer/environment.h"
 
 namespace burin::gbuffer {
@@ -52,6 +53,7 @@ Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image) {
       map.pixels[i][static_cast<glm::length_t>(c)] = Clean(value);
     }
   }
+  if (const auto layout = CubeLayoutOf(map.width, map.height)) return EquirectangularOf(map, *layout);
   return map;
 }
 
