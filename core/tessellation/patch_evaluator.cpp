@@ -134,11 +134,11 @@ void PatchEvaluator::WholeGrid(const PatchLayout& layout) {
   const std::uint32_t columns = layout.columns.segments() - 1, rows = layout.rows.segments() - 1;
   layout.columns.Fill(1, columns, column_parameters_.data());
   layout.rows.Fill(1, rows, row_parameters_.data());
-  // Of the integer pattern only sides must not depend on a direction.
+  // Of the integer pattern only sides must not depend on a direction. A single vertex is in the middle.
   const std::uint32_t half = layout.columns.inner_half();
   const LineVertices whole{.from_start = columns},
       halves{.from_start = half, .from_end = half, .has_middle = layout.columns.has_middle};
-  Rows({.columns = layout.pattern == Pattern::kInteger ? whole : halves,
+  Rows({.columns = layout.pattern == Pattern::kInteger && half > 0 ? whole : halves,
         .column_step = layout.columns.step,
         .first_vertex = first_vertex_ + layout.interior,
         .column_count = columns,
