@@ -16,7 +16,10 @@ constexpr const char* kObj =
     "o a\nusemtl x\nf 1 2 3 4\nf 2 5 6 3\no b\ns 1\nf 1/1/1 2/2/1 3/1/1\nf 1 2 5 6 3\nl 1 2 3\np 4\nt crease 2/1/0 0 1 "
     "3\n";
 constexpr const char* kMtl = "newmtl x\nKd 0.5 0.2 0.1\nNs 20\nd 0.5\nmap_Kd -s 1 1 1 none.png\nKe 1 0 0\nillum 2\n";
-constexpr const char* kBpt = "2\n2 1\n0 0 0\n0 1 0\n0.5 0 1\n0.5 1 1\n1 0 0\n1 1 0\n1 1\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+constexpr const char* kBpt =
+    "4\n2 1\n0 0 0\n0 1 0\n0.5 0 1\n0.5 1 1\n1 0 0\n1 1 0\n1 1\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n"
+    "rational 2 1\n1 0 0 1 1 0 2 1\n1 1 0 0.7 1 1 2 0.7\n0 1 0 1 0 1 2 1\ntexcoords 1 1\n0 0 0 1 1 0 1 1\n"
+    "triangle 1 0 0 0 0 1 0 1 0 0\nnormals 0 0 0 1\ncolors 1 1 0 0 1 0 1 0 1 0 0 1 1\n";
 
 std::string Damage(std::string text, std::mt19937& random) {
   static const char* const kPieces[] = {"-1",   "0",  "99999999999", "nan", "1e39", "/", "//",
