@@ -165,6 +165,21 @@ void EffectBuilder::BuildSamplers() {
   }
 }
 
+/// Pairs of a texture and a sampler of Direct3D 10 become samplers when a shader first uses them.
+std::optional<std::size_t> EffectBuilder::FindSampler(const SamplerBinding& binding) {
+  if (const auto at = samplers_.find(binding); at != samplers_.end()) return at->second;
+  const auto own = samplers_.find({binding.sampler, binding.element, nullptr});
+  const auto texture = textures_.find(binding.texture);
+  if (own == samplers_.end() || texture == textures_.end()) return std::nullopt;
+  Sampler sampler = effect_.samplers[own->second];
+  sampler.name = SamplerNameOf(binding);
+  sampler.texture = texture->second;
+  sampler.dimension = effect_.textures[texture->second].dimension;
+  samplers_[binding] = effect_.samplers.size();
+  effect_.samplers.push_back(std::move(sampler));
+  return effect_.samplers.size() - 1;
+}
+
 void EffectBuilder::ResolveDimensions() {
   for (Sampler& sampler : effect_.samplers) {
     Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;

@@ -128,10 +128,10 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
   for (const ast::Variable* variable : text.parameters) program.parameters.push_back(parameters_.at(variable));
   std::sort(program.parameters.begin(), program.parameters.end());
   for (const SamplerBinding& binding : text.samplers) {
-    const auto at = samplers_.find(binding);
-    if (at == samplers_.end()) continue;
-    program.samplers.push_back(at->second);
-    Sampler& sampler = effect_.samplers[at->second];
+    const auto at = FindSampler(binding);
+    if (!at) continue;
+    program.samplers.push_back(*at);
+    Sampler& sampler = effect_.samplers[*at];
     const Dimension used = text.dimensions.at(binding);
     const Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;
     if (texture != nullptr && texture->dimension != Dimension::kUnknown && texture->dimension != used) {

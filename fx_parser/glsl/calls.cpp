@@ -4,6 +4,7 @@
 #include "fx_parser/glsl/function_writer.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
+#include "fx_parser/semantics/methods.h"
 
 namespace burin::fx {
 namespace {
@@ -111,7 +112,12 @@ std::string FunctionWriter::UserCall(const ast::Expression& e, const ast::Call& 
 std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call) {
   std::string chosen;  // the element's number, where it is known only as the shader runs
   std::string setup;
-  const std::vector<SamplerBinding> bindings = LookupSamplers(*n.arguments[0], chosen, setup);
+  std::vector<SamplerBinding> bindings = LookupSamplers(*n.arguments[0], chosen, setup);
+  if (n.object != nullptr) {
+    const ast::Variable* texture = ResolveSampler(*n.object).sampler;
+    if (texture == nullptr) return "vec4(0.0)";
+    for (SamplerBinding& binding : bindings) binding.texture = texture;
+  }
   std::vector<std::string> texts = {""};
   for (std::size_t i = 1; i < n.arguments.size(); ++i) {
     std::string text = ExpressionAs(*n.arguments[i], call.parameters[i]);
@@ -191,6 +197,20 @@ std::string FunctionWriter::Mul(const std::string& a, const Type& a_type, const 
   return "(" + b + " * " + a + ")";
 }
 
+std::string FunctionWriter::MethodText(const ast::Expression& e, const ast::Call& n) {
+  const Intrinsic& method = Methods()[static_cast<std::size_t>(n.method)];
+  std::vector<Type> types;
+  for (const auto& argument : n.arguments) types.push_back(argument->type);
+  auto call = ResolveIntrinsic(method, types);
+  if (!call) return "0";
+  if ((method.traits & kFragmentOnly) != 0 && stage_.stage() == Stage::kVertex) {
+    stage_.Error(n.name_range, "X4532", "'" + n.name + "' cannot be used in a vertex shader");
+    return "0";
+  }
+  call->result = WithScalar(e.type, Scalar::kFloat);
+  return Convert(Lookup(n, method, *call), call->result, e.type);
+}
+
 std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::Call& n) {
   const Intrinsic& intrinsic = Intrinsics()[static_cast<std::size_t>(n.intrinsic)];
   std::vector<Type> types;
@@ -229,6 +249,7 @@ std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::C
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Call& n) {
   if (n.function != nullptr) return UserCall(e, n);
+  if (n.method >= 0) return MethodText(e, n);
   if (n.intrinsic >= 0) return IntrinsicText(e, n);
   return "0";
 }

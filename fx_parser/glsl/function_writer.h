@@ -110,6 +110,9 @@ class FunctionWriter {
   std::string Reusable(const std::string& text, const Type& type, std::string& setup);
   static std::string Sequence(const std::string& setup, const std::string& value);
 
+  std::string CompoundValue(const ast::Assign& n, const Type& result, const std::string& target);
+  std::string Distribute(const ast::Construct& parts, const Type& type, const std::string& value);
+
   // lvalues
   Lvalue Target(const ast::Expression& e);
   Lvalue MemberTarget(const ast::Expression& e, const ast::Member& n);
@@ -127,6 +130,7 @@ class FunctionWriter {
   // calls
   std::string UserCall(const ast::Expression& e, const ast::Call& n);
   std::string IntrinsicText(const ast::Expression& e, const ast::Call& n);
+  std::string MethodText(const ast::Expression& e, const ast::Call& n);
   std::string Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call);
   std::vector<SamplerBinding> LookupSamplers(const ast::Expression& e, std::string& chosen, std::string& setup);
   [[nodiscard]] std::string LookupText(const Intrinsic& intrinsic, const std::vector<std::string>& texts) const;

@@ -7,6 +7,7 @@
 #include "fx_parser/glsl/interface.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
+#include "fx_parser/semantics/host_parameter.h"
 
 namespace burin::fx {
 namespace {
@@ -34,6 +35,12 @@ std::string ArraySuffix(const Type& type) {
 }
 
 }  // namespace
+
+std::string SamplerNameOf(const SamplerBinding& binding) {
+  if (binding.texture == nullptr) return binding.sampler->name;
+  return binding.texture->name + "_with_" + binding.sampler->name +
+         (binding.element >= 0 ? "_" + std::to_string(binding.element) : "");
+}
 
 void StageWriter::Error(const Range& range, const char* code, const std::string& text) {
   failed_ = true;
@@ -129,8 +136,7 @@ bool StageWriter::DeclareConstant(const ast::Variable& variable) {
 }
 
 std::string StageWriter::DeclareGlobal(const ast::Variable& variable) {
-  constexpr std::uint32_t kNoParameter = ast::kStatic | ast::kConst;
-  if ((variable.qualifiers & kNoParameter) == 0) return DeclareParameter(variable);
+  if (IsHostParameter(variable)) return DeclareParameter(variable);
   if (DeclareConstant(variable)) return variable_names_[&variable];
   const std::string name = names_.Unique("g_", variable.name);
   variable_names_[&variable] = name;
@@ -158,7 +164,8 @@ std::string StageWriter::SamplerName(const SamplerBinding& binding, Dimension di
           "sampler '" + binding.sampler->name + "' is looked up as a " + DimensionText(dimension) + " here and as a " +
               DimensionText(at->second) + " elsewhere in the same shader");
   }
-  return "burin_s_" + binding.sampler->name + (binding.element >= 0 ? "[" + std::to_string(binding.element) + "]" : "");
+  const bool is_element = binding.element >= 0 && binding.texture == nullptr;
+  return "burin_s_" + SamplerNameOf(binding) + (is_element ? "[" + std::to_string(binding.element) + "]" : "");
 }
 
 std::string StageWriter::PreludeName(const std::string& name, const std::string& type) {
@@ -207,11 +214,13 @@ std::optional<Value> StageWriter::ConstantOf(const ast::Expression& expression) 
 
 std::string StageWriter::Declarations() const {
   std::string text;
-  std::set<const ast::Variable*> declared;
+  std::set<std::string> declared;
   for (const auto& [binding, dimension] : samplers_) {
-    if (!declared.insert(binding.sampler).second) continue;
-    text += "uniform " + DimensionText(dimension) + " burin_s_" + binding.sampler->name +
-            ArraySuffix(binding.sampler->type) + ";\n";
+    const std::string name = SamplerNameOf(binding);
+    if (!declared.insert(name).second) continue;
+    const bool is_array = binding.texture == nullptr;
+    text += "uniform " + DimensionText(dimension) + " burin_s_" + name +
+            (is_array ? ArraySuffix(binding.sampler->type) : "") + ";\n";
   }
   return structs_ + text + globals_ + PreludeText(prelude_) + functions_;
 }

@@ -22,8 +22,12 @@ enum class Stage { kVertex, kFragment };
 struct SamplerBinding {
   const ast::Variable* sampler = nullptr;
   int element = -1;
+  /// Direct3D 10's texture that the sampler looks up; null: the sampler's own.
+  const ast::Variable* texture = nullptr;
   auto operator<=>(const SamplerBinding&) const = default;
 };
+/// As GLSL and Effect::samplers name it, without the element: "samp", "tex_with_samp".
+[[nodiscard]] std::string SamplerNameOf(const SamplerBinding& binding);
 /// What a function's sampler parameters stand for in one instance of it.
 using SamplerBindings = std::map<const ast::Variable*, SamplerBinding>;
 

@@ -106,6 +106,7 @@ class Checker {
   void WarnTruncation(const ast::Expression& operand, const Type& to);
   Type CheckUserCall(ast::Expression& e, ast::Call& call, const std::vector<Type>& types);
   Type CheckIntrinsicCall(ast::Expression& e, ast::Call& call, const std::vector<Type>& types);
+  Type CheckMethodCall(ast::Call& call, const std::vector<Type>& types);
   void ReportNoOverload(const ast::Call& call);
   /// Flattened components of an initialiser list; -1 after an error in it.
   long CheckListElements(ast::InitializerList& list);

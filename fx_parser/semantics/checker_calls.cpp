@@ -2,6 +2,7 @@
 #include "fx_parser/semantics/checker.h"
 #include "fx_parser/semantics/conversion.h"
 #include "fx_parser/semantics/intrinsics.h"
+#include "fx_parser/semantics/methods.h"
 #include "fx_parser/semantics/overload.h"
 
 namespace burin::fx {
@@ -84,14 +85,36 @@ Type Checker::CheckIntrinsicCall(ast::Expression&, ast::Call& call, const std::v
   return resolved->result;
 }
 
+Type Checker::CheckMethodCall(ast::Call& call, const std::vector<Type>& types) {
+  const Type& object = call.object->type;
+  if (object.kind == TypeKind::kStruct && !object.is_array() && object.structure != nullptr) {
+    for (const auto& method : object.structure->methods) {
+      if (method->name == call.name && method->parameters.size() == types.size()) return method->return_type;
+    }
+  } else if (object.kind == TypeKind::kTexture || object.kind == TypeKind::kObject) {
+    call.method = FindMethod(object, call.name, types);
+    if (call.method >= 0) {
+      const auto resolved = ResolveIntrinsic(Methods()[static_cast<std::size_t>(call.method)], types);
+      for (std::size_t i = 1; i < types.size(); ++i) WarnTruncation(*call.arguments[i], resolved->parameters[i]);
+      return TextureElement(object);
+    }
+    if (const auto result = ForeignMethod(object, call.name)) return *result;
+  }
+  diagnostics_.Error(call.name_range, "X3018",
+                     "'" + ToString(object) + "' has no function '" + call.name + "' that takes (" +
+                         Types(call.arguments) + ")");
+  return Type{};
+}
+
 Type Checker::Check(ast::Expression& e, ast::Call& call) {
   std::vector<Type> types;
-  bool failed = false;
+  bool failed = call.object != nullptr && CheckExpression(call.object).kind == TypeKind::kError;
   for (auto& argument : call.arguments) {
     types.push_back(CheckExpression(argument));
     failed = failed || types.back().kind == TypeKind::kError;
   }
   if (failed) return Type{};
+  if (call.object != nullptr) return CheckMethodCall(call, types);
   const auto user = functions_.find(call.name);
   if (user != functions_.end() && ChooseOverload(user->second, types).function != nullptr)
     return CheckUserCall(e, call, types);

@@ -91,6 +91,14 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
     if (size == nullptr) {
       // [] takes its size from the initialiser.
       const auto* list = initializer != nullptr ? std::get_if<ast::InitializerList>(&initializer->node) : nullptr;
+      if (list == nullptr && array.empty() && scopes_.is_global() && initializer == nullptr && current_ == nullptr &&
+          element.kind == TypeKind::kStruct) {
+        diagnostics_.Warning(name.range, "B1025",
+                             "an array without a size gets it from a host, which this one has no means to choose: it "
+                             "has one element");
+        array.push_back(1);
+        continue;
+      }
       if (list == nullptr || !array.empty()) {
         diagnostics_.Error(name.range, "X3058", "array dimensions must be explicit");
         return Type{};
@@ -140,6 +148,10 @@ void Checker::CheckStruct(ast::Struct& structure) {
     }
     const auto [at, inserted] = names.emplace(member->name, member.get());
     if (!inserted) ReportRedefinition(member->name, member->range, &at->second->range);
+  }
+  for (auto& method : structure.methods) {
+    method->return_type = ResolveType(method->return_type_name);
+    DeclareParameters(*method);
   }
   if (FlatComponents(Type{.kind = TypeKind::kStruct, .structure = &structure, .array = {}}) > kMaxVariableComponents) {
     diagnostics_.Error(structure.range, "X3059",
@@ -198,8 +210,12 @@ void Checker::CheckGlobal(ast::Variable& variable) {
       const int errors = diagnostics_.error_count();
       CheckInitializer(*variable.initializer, variable.type, variable.name);
       if (!is_static && diagnostics_.error_count() == errors && !EvaluateAs(*variable.initializer, variable.type)) {
-        diagnostics_.Error(variable.initializer->range, "X3011",
-                           "'" + variable.name + "': initial value must be a literal expression");
+        // As if it were static: then it follows what it is computed from.
+        diagnostics_.Warning(variable.initializer->range, "X3011",
+                             "'" + variable.name +
+                                 "': the initial value is no literal expression, so shaders compute it and it is no "
+                                 "parameter");
+        variable.qualifiers |= ast::kStatic;
       }
     }
   }

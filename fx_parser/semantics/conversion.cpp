@@ -109,6 +109,9 @@ std::optional<Conversion> ImplicitConversion(const Type& from, const Type& to) {
       if (from.dimension == Dimension::kUnknown || to.dimension == Dimension::kUnknown)
         return Conversion{kScalarRankCost, false};
       return std::nullopt;
+    case TypeKind::kStruct:  // Cg: a struct is what its interface is
+      if (to.structure != nullptr && to.structure->is_interface) return Conversion{kScalarRankCost, false};
+      return std::nullopt;
     default:
       return std::nullopt;
   }

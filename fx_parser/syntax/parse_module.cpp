@@ -38,7 +38,10 @@ void Parser::ParseTopLevel(ast::Module& module) {
   } else if (IsWord("namespace") && Is(TokenKind::kIdentifier, 1)) {
     parsed = ParseNamespace(module);
   } else if (IsWord("interface") && Is(TokenKind::kIdentifier, 1) && Is(TokenKind::kLeftBrace, 2)) {
-    parsed = RefuseInterface();
+    std::unique_ptr<ast::Struct> structure = ParseStruct();
+    parsed = structure != nullptr;
+    if (structure) module.declarations.emplace_back(std::move(structure));
+    Accept(TokenKind::kSemicolon);
   } else {
     parsed = ParseGlobal(module);
   }
@@ -110,17 +113,6 @@ bool Parser::ParseBuffer(ast::Module& module) {
     if (position_ == first) Advance();
   }
   if (!ExpectClosing(TokenKind::kRightBrace, "'}' to end the buffer", opening)) return false;
-  Accept(TokenKind::kSemicolon);
-  return true;
-}
-
-// Cg chooses the functions behind an interface as it runs, which no shader of ours can.
-bool Parser::RefuseInterface() {
-  Report(Join(Peek().range(), Peek(1).range()), "Cg's interfaces are not supported", "B1203");
-  Advance();
-  names_.Declare(std::string(Advance().text), true);
-  position_ = FindClosing(position_);
-  Accept(TokenKind::kRightBrace);
   Accept(TokenKind::kSemicolon);
   return true;
 }

@@ -82,7 +82,7 @@ ast::ExpressionPtr Parser::ParseIdentifier() {
     Advance();
     return Make(first, ast::BoolLiteral{value});
   }
-  if (IsEffectWord("compile") && word_follows) return ParseCompile();
+  if ((IsEffectWord("compile") || IsEffectWord("compile_fragment")) && word_follows) return ParseCompile();
   if (IsEffectWord("CompileShader") && Is(TokenKind::kLeftParen, 1)) return ParseCompileShader();
   if (IsEffectWord("asm") && Is(TokenKind::kLeftBrace, 1)) return ParseAsm();
   const bool is_states = IsEffectWord("sampler_state") || IsEffectWord("stateblock_state");

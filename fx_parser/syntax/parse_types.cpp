@@ -62,6 +62,7 @@ bool IsStatementWord(std::string_view word) {
 
 // `line`, `point`, `sample` ... are names too: qualifiers only where a type or another qualifier follows.
 bool Parser::StartsQualifier(std::size_t ahead) const {
+  if (names_.IsType(Peek(ahead).text)) return false;
   return FindQualifier(Peek(ahead)) && (Is(TokenKind::kIdentifier, ahead + 1));
 }
 
@@ -150,17 +151,24 @@ bool Parser::ParseTypeName(ast::TypeName& type, std::uint32_t qualifiers) {
   return true;
 }
 
-// `vector<float, 3>`, `matrix<half, 4, 3>`; Direct3D 10's `Texture2D<float4>` says nothing more.
+// `vector<float, 3>`, `matrix<half, 4, 3>`; Direct3D 10's `Texture2D<float4>`, whose element its look-ups give.
 bool Parser::ParseTypeArguments(ast::TypeName& type) {
   if (!Is(TokenKind::kLess)) return true;
   if (EqualsIgnoringCase(type.name, "vector") || EqualsIgnoringCase(type.name, "matrix")) {
     return ParseVectorArguments(type);
   }
-  const bool is_element = StartsType(1) && Is(TokenKind::kGreater, 2);
-  if (type.type.kind != TypeKind::kTexture || !is_element) return true;
-  Advance();
-  Advance();
-  Advance();
+  const bool takes_element = type.type.kind == TypeKind::kTexture || type.type.kind == TypeKind::kObject;
+  if (!takes_element || !StartsType(1)) return true;
+  std::size_t close = 2;
+  if (Is(TokenKind::kComma, close)) close += 2;   // the samples of a Texture2DMS, the points of a patch
+  if (!Is(TokenKind::kGreater, close)) return true;
+  const std::optional<Type> element = FindBuiltinType(Peek(1).text);
+  if (type.type.kind == TypeKind::kTexture && element && element->kind == TypeKind::kNumeric) {
+    type.type.is_vector = true;
+    type.type.columns = element->columns;
+    type.type.scalar = element->scalar;
+  }
+  position_ += close + 1;
   return true;
 }
 

@@ -80,12 +80,12 @@ class Parser {
   bool ParseGlobal(ast::Module& module);
   bool ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, std::unique_ptr<ast::Struct>& structure);
   bool ParseBuffer(ast::Module& module);
-  bool RefuseInterface();
   bool ParseNamespace(ast::Module& module);
 
   // parse_structs.cpp
   std::unique_ptr<ast::Struct> ParseStruct();
   bool ParseMember(ast::Struct& structure);
+  bool ParseMethod(ast::Struct& structure, Specifiers& specifiers);
   [[nodiscard]] bool AtOuterFunction() const;
 
   // parse_variables.cpp
@@ -96,7 +96,10 @@ class Parser {
   bool ParseArraySizes(std::vector<ast::ExpressionPtr>& sizes);
   bool ParseSemantics(std::string& semantic, Range& range, std::vector<std::string>* registers);
   bool ParseAnnotations(std::vector<ast::Annotation>& annotations);
+  bool ParseAnnotationList(std::vector<ast::Annotation>& annotations);
+  bool ParseAnnotationType(ast::TypeName& type);
   bool ParseAnnotation(ast::Annotation& annotation);
+  bool SkipAnnotations(std::size_t first);
   bool ExpectClosingAngle(const Range& opening);
 
   // parse_functions.cpp
@@ -111,6 +114,7 @@ class Parser {
   void ParseBlockContents(std::vector<ast::StatementPtr>& statements);
   ast::StatementPtr ParseDeclarationStatement();
   ast::StatementPtr ParseExpressionStatement();
+  ast::StatementPtr ParseAsmStatement();
   bool CheckMissingBrace(std::size_t declaration);
   bool ParseAttributes(std::vector<std::string>& attributes);
   ast::StatementPtr ParseIf(std::vector<std::string> attributes);
