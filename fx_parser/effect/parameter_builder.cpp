@@ -69,7 +69,7 @@ void EffectBuilder::BuildParameters() {
     const bool holds_values = kind == TypeKind::kString || FlatComponents(variable->type) > 0;
     if (!IsHostParameter(*variable) || !holds_values) continue;
     Parameter parameter;
-    parameter.name = variable->name;
+    parameter.name = PublicName(variable->name);
     parameter.type = variable->type;
     parameter.semantic = variable->semantic;
     parameter.annotations = BuildAnnotations(variable->annotations);

@@ -121,7 +121,7 @@ void EffectBuilder::ResolveSamplerState(ast::StateAssignment& assignment, Sample
 
 void EffectBuilder::BuildSampler(const ast::Variable& variable, int element, ast::Expression* initializer) {
   Sampler sampler;
-  sampler.name = variable.name + (element >= 0 ? "[" + std::to_string(element) + "]" : "");
+  sampler.name = PublicName(variable.name) + (element >= 0 ? "[" + std::to_string(element) + "]" : "");
   sampler.dimension = variable.type.dimension;
   sampler.range = variable.range;
   auto* block = initializer != nullptr ? std::get_if<ast::StateBlockExpression>(&initializer->node) : nullptr;

@@ -151,7 +151,12 @@ constexpr std::string_view kHarmless[] = {
     "patchedgestyle", "patchsegments", "debugmonitortoken", "indexedvertexblendenable", "antialiasedlineenable",
     "mintessellationlevel", "maxtessellationlevel", "adaptivetess_x", "adaptivetess_y", "adaptivetess_z",
     "adaptivetess_w", "enableadaptivetessellation", "positiondegree", "normaldegree", "npatchmode", "tweenfactor",
-    "texturefactor", "fvf", "histencilenable", "histencilwriteenable",
+    "texturefactor", "fvf",
+    // the Xbox 360's
+    "histencilenable", "histencilwriteenable", "histencilfunc", "histencilref", "hizenable", "hizwriteenable",
+    "alphatomaskenable", "alphatomaskoffsets", "halfpixeloffset", "highprecisionblendenable",
+    "highprecisionblendenable0", "highprecisionblendenable1", "highprecisionblendenable2", "highprecisionblendenable3",
+    "presentinterval", "presentimmediatethreshold", "primitiveresetenable", "primitiveresetindex", "viewportenable",
     // CgFX's
     "clearcolor", "cleardepth", "clearstencil", "linewidth", "linesmoothenable", "linestippleenable",
     "pointsmoothenable", "pointspritecoordreplace", "polygonsmoothenable", "polygonstippleenable",

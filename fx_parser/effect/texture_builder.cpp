@@ -87,7 +87,7 @@ bool IsCustomTechnique(const ast::Technique& technique) {
 
 void EffectBuilder::BuildTexture(ast::Variable& variable) {
   Texture texture;
-  texture.name = variable.name;
+  texture.name = PublicName(variable.name);
   texture.dimension = variable.type.dimension;
   texture.semantic = variable.semantic;
   texture.annotations = BuildAnnotations(variable.annotations);

@@ -197,6 +197,16 @@ std::string FunctionWriter::Mul(const std::string& a, const Type& a_type, const 
   return "(" + b + " * " + a + ")";
 }
 
+/// asfloat, asint, asuint: the same bits as another scalar.
+std::string FunctionWriter::Reinterpreted(const std::string& text, const Type& from, const Type& to) {
+  if (StorageOf(from).is_matrix() || IsFloating(from.scalar) == IsFloating(to.scalar)) return Convert(text, from, to);
+  const char* name = from.scalar == Scalar::kInt    ? "intBitsToFloat"
+                     : from.scalar == Scalar::kUint ? "uintBitsToFloat"
+                     : to.scalar == Scalar::kInt    ? "floatBitsToInt"
+                                                    : "floatBitsToUint";
+  return std::string(name) + "(" + text + ")";
+}
+
 std::string FunctionWriter::MethodText(const ast::Expression& e, const ast::Call& n) {
   const Intrinsic& method = Methods()[static_cast<std::size_t>(n.method)];
   std::vector<Type> types;
@@ -238,6 +248,7 @@ std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::C
   if (intrinsic.name == "mul") return Mul(arguments[0], call->parameters[0], arguments[1], call->parameters[1]);
   if (intrinsic.name == "any" || intrinsic.name == "all") return AnyAll(n.name, arguments[0], call->parameters[0]);
   const Type& first = call->parameters[0];
+  if (intrinsic.glsl.empty()) return Reinterpreted(arguments[0], first, call->result);
   if (intrinsic.name == "transpose" && !StorageOf(first).is_matrix()) return arguments[0];
   if (intrinsic.name == "determinant" && first.components() == 1) return arguments[0];
   if (intrinsic.name == "sign" && !StorageOf(first).is_matrix()) {

@@ -130,6 +130,7 @@ class FunctionWriter {
   // calls
   std::string UserCall(const ast::Expression& e, const ast::Call& n);
   std::string IntrinsicText(const ast::Expression& e, const ast::Call& n);
+  std::string Reinterpreted(const std::string& text, const Type& from, const Type& to);
   std::string MethodText(const ast::Expression& e, const ast::Call& n);
   std::string Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call);
   std::vector<SamplerBinding> LookupSamplers(const ast::Expression& e, std::string& chosen, std::string& setup);

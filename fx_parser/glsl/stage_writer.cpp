@@ -37,8 +37,8 @@ std::string ArraySuffix(const Type& type) {
 }  // namespace
 
 std::string SamplerNameOf(const SamplerBinding& binding) {
-  if (binding.texture == nullptr) return binding.sampler->name;
-  return binding.texture->name + "_with_" + binding.sampler->name +
+  if (binding.texture == nullptr) return PublicName(binding.sampler->name);
+  return PublicName(binding.texture->name) + "_with_" + PublicName(binding.sampler->name) +
          (binding.element >= 0 ? "_" + std::to_string(binding.element) : "");
 }
 
@@ -112,7 +112,7 @@ std::string StageWriter::ValueText(const Type& type, const std::vector<double>& 
 }
 
 std::string StageWriter::DeclareParameter(const ast::Variable& variable) {
-  const std::string uniform = "burin_p_" + variable.name;
+  const std::string uniform = "burin_p_" + PublicName(variable.name);
   parameters_.push_back(&variable);
   globals_ += "uniform " + TypeText(variable.type) + " " + uniform + ";\n";
   if (!written_.contains(&variable)) return uniform;

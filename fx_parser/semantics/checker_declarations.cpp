@@ -204,9 +204,10 @@ void Checker::CheckGlobal(ast::Variable& variable) {
   }
   // The initialiser is checked first: `float x = x;` does not see itself.
   if (variable.initializer != nullptr && variable.type.kind != TypeKind::kError) {
-    const bool numeric = variable.type.kind == TypeKind::kNumeric || variable.type.kind == TypeKind::kStruct ||
-                         variable.type.kind == TypeKind::kString;
-    if (numeric) {
+    const bool is_interface = variable.type.structure != nullptr && variable.type.structure->is_interface;
+    const bool has_value = variable.type.kind == TypeKind::kNumeric || variable.type.kind == TypeKind::kStruct ||
+                           variable.type.kind == TypeKind::kString;
+    if (has_value && !is_interface) {
       const int errors = diagnostics_.error_count();
       CheckInitializer(*variable.initializer, variable.type, variable.name);
       if (!is_static && diagnostics_.error_count() == errors && !EvaluateAs(*variable.initializer, variable.type)) {

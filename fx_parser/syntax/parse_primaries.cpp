@@ -117,6 +117,7 @@ bool Parser::ParseQualifiedName(const std::string& what, std::string& name, Rang
     Advance();
     name += "::" + std::string(Advance().text);
   }
+  if (!space_.empty() || position_ > first + 1) name = names_.Resolve(name, space_);
   range = RangeFrom(first);
   return true;
 }

@@ -12,7 +12,7 @@ std::unique_ptr<ast::Struct> Parser::ParseStruct() {
   structure->range = Advance().range();
   if (Is(TokenKind::kIdentifier)) {
     structure->range = Peek().range();
-    structure->name = Advance().text;
+    structure->name = (function_brace_ ? "" : space_) + std::string(Advance().text);
   }
   names_.Declare(structure->name, true);   // before its body, so that faults in there make no others
   if (Accept(TokenKind::kColon)) {   // Cg: the interface that it is one of

@@ -62,19 +62,41 @@ bool IsStatementWord(std::string_view word) {
 
 // `line`, `point`, `sample` ... are names too: qualifiers only where a type or another qualifier follows.
 bool Parser::StartsQualifier(std::size_t ahead) const {
-  if (names_.IsType(Peek(ahead).text)) return false;
+  if (IsTypeName(Peek(ahead).text)) return false;
   return FindQualifier(Peek(ahead)) && (Is(TokenKind::kIdentifier, ahead + 1));
 }
 
 bool Parser::StartsType(std::size_t ahead) const {
   const Token& token = Peek(ahead);
+  if (Is(TokenKind::kScope, ahead + 1) || token.kind == TokenKind::kScope) return StartsQualifiedType(ahead, nullptr);
   if (token.kind != TokenKind::kIdentifier) return false;
-  return token.text == "struct" || token.text == "unsigned" || names_.IsType(token.text) ||
+  return token.text == "struct" || token.text == "unsigned" || IsTypeName(token.text) ||
          FindBuiltinType(token.text).has_value();
+}
+
+bool Parser::IsTypeName(std::string_view name) const {
+  return space_.empty() ? names_.IsType(name) : names_.IsType(names_.Resolve(name, space_));
+}
+
+// `outer::Type`; `end` is then where it ends, counted as `ahead` is.
+bool Parser::StartsQualifiedType(std::size_t ahead, std::size_t* end) const {
+  std::string name;
+  if (Is(TokenKind::kScope, ahead)) name = Peek(ahead++).text;
+  while (Is(TokenKind::kIdentifier, ahead)) {
+    name += Peek(ahead++).text;
+    if (!Is(TokenKind::kScope, ahead)) break;
+    name += Peek(ahead++).text;
+  }
+  if (end) *end = ahead;
+  return names_.IsType(names_.Resolve(name, space_));
 }
 
 // In a function's body. `Foo bar` is a declaration whose type is unknown, `texture = x` is an expression.
 bool Parser::StartsDeclaration() const {
+  if (Is(TokenKind::kScope) || Is(TokenKind::kScope, 1)) {
+    std::size_t end = 0;
+    return StartsQualifiedType(0, &end) && Is(TokenKind::kIdentifier, end);
+  }
   if (!Is(TokenKind::kIdentifier) || IsStatementWord(Peek().text)) return false;
   if (IsWord("struct") || IsWord("typedef")) return true;
   if (Is(TokenKind::kIdentifier, 1)) return true;
@@ -83,13 +105,17 @@ bool Parser::StartsDeclaration() const {
 }
 
 bool Parser::StartsCast() const {
+  if (Is(TokenKind::kScope, 1) || Is(TokenKind::kScope, 2)) {
+    std::size_t end = 0;
+    return StartsQualifiedType(1, &end) && Is(TokenKind::kRightParen, end);
+  }
   if (!StartsType(1) || IsWord("struct", 1)) return false;
   const bool takes_arguments = IsEffectWord("vector", 1) || IsEffectWord("matrix", 1);
   if (takes_arguments && Is(TokenKind::kLess, 2)) return true;
   if (IsWord("unsigned", 1)) return true;
   if (!Is(TokenKind::kRightParen, 2) && !Is(TokenKind::kLeftBracket, 2)) return false;
   if (Is(TokenKind::kLeftBracket, 2) && !Is(TokenKind::kInteger, 3)) return false;
-  if (names_.IsType(Peek(1).text)) return true;
+  if (IsTypeName(Peek(1).text)) return true;
   return FindBuiltinType(Peek(1).text)->kind == TypeKind::kNumeric;
 }
 
@@ -131,7 +157,7 @@ bool Parser::ParseTypeName(ast::TypeName& type, std::uint32_t qualifiers) {
     type.range = RangeFrom(first);
     return true;
   }
-  if (!Is(TokenKind::kIdentifier)) {
+  if (!Is(TokenKind::kIdentifier) && !Is(TokenKind::kScope)) {
     ReportUnexpected("a type");
     return false;
   }

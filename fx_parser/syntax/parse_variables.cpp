@@ -22,6 +22,7 @@ bool Parser::ParseVariables(const Specifiers& specifiers, bool is_global, Variab
 std::unique_ptr<ast::Variable> Parser::ParseVariable(const Specifiers& specifiers, bool is_global) {
   auto variable = std::make_unique<ast::Variable>();
   if (!ExpectName("a name after type '" + specifiers.type.name + "'", variable->name, variable->range)) return nullptr;
+  if (is_global) variable->name.insert(0, space_);
   variable->qualifiers = specifiers.qualifiers;
   variable->type_name = specifiers.type;
   variable->is_global = is_global;

@@ -65,6 +65,8 @@ class Parser {
   };
   [[nodiscard]] bool StartsQualifier(std::size_t ahead) const;
   [[nodiscard]] bool StartsType(std::size_t ahead) const;
+  [[nodiscard]] bool IsTypeName(std::string_view name) const;
+  [[nodiscard]] bool StartsQualifiedType(std::size_t ahead, std::size_t* end) const;
   [[nodiscard]] bool StartsDeclaration() const;
   [[nodiscard]] bool StartsCast() const;
   std::uint32_t ParseQualifiers();
@@ -154,6 +156,7 @@ class Parser {
   bool ParseEntryPoint(ast::Compile& compile);
   ast::ExpressionPtr ParseAsm();
   bool ParseArguments(std::vector<ast::ExpressionPtr>& arguments);
+  /// A name as it was declared, whole.
   bool ParseQualifiedName(const std::string& what, std::string& name, Range& range);
   template <class Node>
   ast::ExpressionPtr Make(std::size_t first, Node node);
@@ -208,6 +211,7 @@ class Parser {
   const Token* function_brace_ = nullptr;    // the '{' of the function at hand
   std::string function_name_;
   NameScopes names_;
+  std::string space_;                        // the namespace at hand, "outer::inner::"
 };
 
 template <class Node>
