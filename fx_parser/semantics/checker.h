@@ -108,6 +108,10 @@ class Checker {
   Type CheckIntrinsicCall(ast::Expression& e, ast::Call& call, const std::vector<Type>& types);
   Type CheckMethodCall(ast::Call& call, const std::vector<Type>& types);
   void ReportNoOverload(const ast::Call& call);
+  /// X3004, with a note where the name is declared further down.
+  void ReportUndeclared(const std::string& name, const Range& range, const std::string& near);
+  [[nodiscard]] std::string NearestFunction(const std::string& name) const;
+  [[nodiscard]] const Range* FindLater(const std::string& name, const Location& use) const;
   /// Flattened components of an initialiser list; -1 after an error in it.
   long CheckListElements(ast::InitializerList& list);
 

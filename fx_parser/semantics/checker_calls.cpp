@@ -4,6 +4,8 @@
 #include "fx_parser/semantics/intrinsics.h"
 #include "fx_parser/semantics/methods.h"
 #include "fx_parser/semantics/overload.h"
+#include "fx_parser/syntax/builtin_types.h"
+#include "fx_parser/syntax/glsl_words.h"
 
 namespace burin::fx {
 namespace {
@@ -25,17 +27,44 @@ std::string Types(const std::vector<ast::ExpressionPtr>& arguments) {
 
 }  // namespace
 
+/// Among functions, intrinsics and the types that construct.
+std::string Checker::NearestFunction(const std::string& name) const {
+  if (const std::string_view word = HlslWordFor(name); !word.empty()) return std::string(word);
+  std::vector<std::string> names = FunctionNames();
+  for (const Intrinsic& intrinsic : Intrinsics()) names.emplace_back(intrinsic.name);
+  for (std::string& type : BuiltinTypeNames()) names.push_back(std::move(type));
+  return NearestName(name, names);
+}
+
+/// The declaration of `name` at file scope behind `use`; null when there is none.
+const Range* Checker::FindLater(const std::string& name, const Location& use) const {
+  const auto is_it = [&](const auto& declaration) {
+    const Location& at = declaration.range.begin;
+    const bool before = at.file == use.file && std::pair(at.line, at.column) < std::pair(use.line, use.column);
+    return declaration.name == name && !before;
+  };
+  for (const auto& declaration : module_.declarations) {
+    if (const auto* variable = std::get_if<std::unique_ptr<ast::Variable>>(&declaration)) {
+      if (is_it(**variable)) return &(*variable)->range;
+    } else if (const auto* function = std::get_if<std::unique_ptr<ast::Function>>(&declaration)) {
+      if (is_it(**function)) return &(*function)->range;
+    }
+  }
+  return nullptr;
+}
+
+void Checker::ReportUndeclared(const std::string& name, const Range& range, const std::string& near) {
+  const Range* later = FindLater(name, range.begin);
+  const std::string hint = later != nullptr || near.empty() ? "" : "; did you mean '" + near + "'?";
+  Diagnostic& error = diagnostics_.Error(range, "X3004", "undeclared identifier '" + name + "'" + hint);
+  if (later != nullptr) error.notes.push_back({*later, "'" + name + "' is declared here, after its use"});
+}
+
 void Checker::ReportNoOverload(const ast::Call& call) {
   const bool is_intrinsic = IsIntrinsic(call.name);
   const auto user = functions_.find(call.name);
   if (!is_intrinsic && user == functions_.end()) {
-    if (after_syntax_errors_) return;
-    std::vector<std::string> names = FunctionNames();
-    for (const Intrinsic& intrinsic : Intrinsics()) names.emplace_back(intrinsic.name);
-    const std::string near = NearestName(call.name, names);
-    diagnostics_.Error(
-        call.name_range, "X3004",
-        "undeclared identifier '" + call.name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    if (!after_syntax_errors_) ReportUndeclared(call.name, call.name_range, NearestFunction(call.name));
     return;
   }
   const std::string kind = user == functions_.end() ? "intrinsic function" : "function";
@@ -49,7 +78,7 @@ void Checker::ReportNoOverload(const ast::Call& call) {
   }
   for (const Intrinsic& intrinsic : Intrinsics()) {
     if (intrinsic.name == call.name)
-      error.notes.push_back({call.name_range, "candidate: " + DescribeIntrinsic(intrinsic)});
+      error.notes.push_back({{}, "candidate: " + DescribeIntrinsic(intrinsic)});
   }
 }
 
@@ -113,6 +142,8 @@ Type Checker::Check(ast::Expression& e, ast::Call& call) {
     types.push_back(CheckExpression(argument));
     failed = failed || types.back().kind == TypeKind::kError;
   }
+  const bool is_known = call.object != nullptr || IsIntrinsic(call.name) || functions_.contains(call.name);
+  if (failed && !is_known) ReportNoOverload(call);
   if (failed) return Type{};
   if (call.object != nullptr) return CheckMethodCall(call, types);
   const auto user = functions_.find(call.name);

@@ -132,9 +132,7 @@ Type Checker::Check(ast::Expression& e, ast::Name& n) {
   } else if (functions_.contains(n.name)) {
     diagnostics_.Error(e.range, "X3005", "identifier '" + n.name + "' represents a function, not a variable");
   } else if (!after_syntax_errors_) {
-    diagnostics_.Error(
-        e.range, "X3004",
-        "undeclared identifier '" + n.name + "'" + SuggestionText(NearestName(n.name, scopes_.VariableNames())));
+    ReportUndeclared(n.name, e.range, NearestName(n.name, scopes_.VariableNames()));
   }
   return Type{};
 }
@@ -303,7 +301,9 @@ Type Checker::Check(ast::Expression&, ast::Member& n) {
   }
   if (operand.is_array() && n.name == "length") return ScalarType(Scalar::kInt);   // Cg's
   if (const auto swizzle = ParseSwizzle(operand, n.name)) return SwizzleType(operand, swizzle->size());
-  diagnostics_.Error(n.name_range, "X3018", "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'");
+  diagnostics_.Error(n.name_range, "X3018",
+                     "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'" +
+                         DescribeComponents(operand));
   return Type{};
 }
 

@@ -29,7 +29,8 @@ void Checker::CheckCondition(ast::ExpressionPtr& condition, const char* statemen
   if (type.kind == TypeKind::kError) return;
   if (!type.is_numeric() || type.components() != 1) {
     diagnostics_.Error(condition->range, "X3019",
-                       std::string(statement) + " conditional expressions must evaluate to a scalar");
+                       std::string(statement) + " conditional expressions must evaluate to a scalar, not '" +
+                           ToString(type) + "'" + (type.is_numeric() ? "; any() or all() makes one of it" : ""));
   }
 }
 

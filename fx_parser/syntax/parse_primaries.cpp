@@ -166,6 +166,10 @@ ast::ExpressionPtr Parser::ParseCompile() {
   const std::size_t first = position_;
   Advance();
   ast::Compile compile;
+  if (Is(TokenKind::kLeftParen, 1)) {
+    Report(Peek().range(), "expected a shader profile such as ps_2_0 before '" + std::string(Peek().text) + "'");
+    return nullptr;
+  }
   if (!ExpectName("a shader profile after 'compile'", compile.profile, compile.profile_range)) return nullptr;
   if (!ParseEntryPoint(compile)) return nullptr;
   return Make(first, std::move(compile));

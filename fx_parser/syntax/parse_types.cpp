@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "fx_parser/syntax/builtin_types.h"
+#include "fx_parser/syntax/glsl_words.h"
 #include "fx_parser/syntax/literal.h"
 #include "fx_parser/syntax/parser.h"
 
@@ -231,7 +232,9 @@ bool Parser::ReportUnknownType(ast::TypeName& type) {
   std::vector<std::string> names = names_.TypeNames();
   std::ranges::move(BuiltinTypeNames(), std::back_inserter(names));
   std::string text = "unknown type '" + type.name + "'";
-  if (const std::string near = NearestName(type.name, names); !near.empty()) text += "; did you mean '" + near + "'?";
+  std::string near(HlslWordFor(type.name));
+  if (near.empty()) near = NearestName(type.name, names);
+  if (!near.empty()) text += "; did you mean '" + near + "'?";
   Report(type.range, text);
   type.type.kind = TypeKind::kError;
   return false;
