@@ -7,12 +7,17 @@ namespace burin::fx {
 namespace {
 
 /// Direct3D 10's Filter names: MIN_MAG_MIP_LINEAR, MIN_MAG_LINEAR_MIP_POINT ... ANISOTROPIC. The kind that follows a
-/// letter group holds for every group before it that has none yet.
+/// letter group holds for every group before it that has none yet. Also one of Direct3D 9's for all three.
 bool ParseFilter(std::string_view text, int& min, int& mag, int& mip) {
   const std::string name = LowerCase(text);
   if (name == "anisotropic") {
     min = mag = 3;
     mip = 2;
+    return true;
+  }
+  if (name == "none" || name == "point" || name == "linear") {
+    min = mag = name == "linear" ? 2 : 1;
+    mip = name == "linear" ? 2 : name == "point" ? 1 : 0;
     return true;
   }
   std::vector<int*> waiting;

@@ -241,7 +241,8 @@ void EffectBuilder::BuildTechniques() {
       for (std::size_t i = 0; i < technique.passes.size(); ++i)
         CheckDataFlow(technique, technique.passes[i], static_cast<int>(i));
     }
-    if (!technique.unsupported.empty() && !diagnostics_.has_errors()) {
+    // One without passes says on purpose that nothing is to be drawn.
+    if (!technique.unsupported.empty() && !source->passes.empty() && !diagnostics_.has_errors()) {
       std::string text = "technique " + (technique.name.empty() ? "" : "'" + technique.name + "' ") + "cannot run here";
       for (const std::string& reason : technique.unsupported)
         text += (&reason == &technique.unsupported.front() ? ": " : "; ") + reason;

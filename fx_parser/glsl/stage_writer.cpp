@@ -42,15 +42,20 @@ std::string SamplerNameOf(const SamplerBinding& binding) {
          (binding.element >= 0 ? "_" + std::to_string(binding.element) : "");
 }
 
+bool StageWriter::IsReported(const Range& range, const std::string& text) const {
+  return std::ranges::any_of(diagnostics_.all(), [&](const Diagnostic& d) {
+    return d.text == text && d.range.begin.file == range.begin.file && d.range.begin.line == range.begin.line &&
+           d.range.begin.column == range.begin.column;
+  });
+}
+
 void StageWriter::Error(const Range& range, const char* code, const std::string& text) {
   failed_ = true;
-  for (const Diagnostic& d : diagnostics_.all()) {
-    if (d.text == text && d.range.begin.file == range.begin.file && d.range.begin.line == range.begin.line &&
-        d.range.begin.column == range.begin.column) {
-      return;
-    }
-  }
-  diagnostics_.Error(range, code, text);
+  if (!IsReported(range, text)) diagnostics_.Error(range, code, text);
+}
+
+void StageWriter::Warning(const Range& range, const char* code, const std::string& text) {
+  if (!IsReported(range, text)) diagnostics_.Warning(range, code, text);
 }
 
 std::string StageWriter::StructName(const ast::Struct& structure) {

@@ -171,6 +171,7 @@ ast::ExpressionPtr Parser::ParseCompile() {
     return nullptr;
   }
   if (!ExpectName("a shader profile after 'compile'", compile.profile, compile.profile_range)) return nullptr;
+  Accept(TokenKind::kString);   // CgFX: options for its compiler
   if (!ParseEntryPoint(compile)) return nullptr;
   return Make(first, std::move(compile));
 }
