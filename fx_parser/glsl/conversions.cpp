@@ -85,8 +85,9 @@ std::string FunctionWriter::FromComponents(const Type& type, const std::vector<s
     return text + (members.empty() ? "0.0)" : ")");
   }
   const Storage wanted = StorageOf(type);
-  for (int i = 0; i < type.components(); ++i, ++next) {
+  for (int i = 0; i < type.components(); ++i) {
     std::string component = ConvertScalar(components[next], StorageOf(ScalarType(scalars[next])), type.scalar);
+    ++next;
     // Matrices hold floats, so that an int or bool in one has to be made whole first.
     if (type.is_matrix && !IsFloating(type.scalar)) component = "float(" + component + ")";
     if (wanted.size == 1 && wanted.columns == 1) return component;
