@@ -245,7 +245,12 @@ std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::C
       arguments.push_back(ExpressionAs(*n.arguments[i], call->parameters[i]));
     }
   }
-  if (intrinsic.name == "mul") return Mul(arguments[0], call->parameters[0], arguments[1], call->parameters[1]);
+  if (intrinsic.name == "mul") {
+    const bool product = call->parameters[0].components() > 1 && call->parameters[1].components() > 1;
+    const std::string text = Mul(arguments[0], call->parameters[0], arguments[1], call->parameters[1]);
+    // GLSL's products are of floats.
+    return product ? Convert(text, WithScalar(call->result, Scalar::kFloat), call->result) : text;
+  }
   if (intrinsic.name == "any" || intrinsic.name == "all") return AnyAll(n.name, arguments[0], call->parameters[0]);
   const Type& first = call->parameters[0];
   if (intrinsic.glsl.empty()) return Reinterpreted(arguments[0], first, call->result);

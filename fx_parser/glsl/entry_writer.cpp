@@ -85,7 +85,7 @@ std::string EntryWriter::InputValue(const Type& type, const std::string& semanti
     key.index += offset++;
     const std::string text = Input(key, semantic, range);
     rows.push_back(main_.Convert(text, VectorType(Scalar::kFloat, 4),
-                                 WithScalar(line, type.is_matrix ? Scalar::kFloat : type.scalar)));
+                                 WithScalar(line, StorageOf(type).is_matrix() ? Scalar::kFloat : type.scalar)));
   }
   if (rows.size() == 1) return rows.front();
   std::string text;

@@ -91,7 +91,7 @@ std::string FunctionWriter::Distribute(const ast::Construct& parts, const Type& 
   Components(whole, type, components);
   std::size_t next = 0;
   for (const auto& part : parts.arguments) {
-    const std::vector<Scalar> scalars(components.size(), type.is_matrix ? Scalar::kFloat : type.scalar);
+    const std::vector<Scalar> scalars(components.size(), StorageOf(type).is_matrix() ? Scalar::kFloat : type.scalar);
     const std::string piece = FromComponents(part->type, components, scalars, next);
     text += ", " + Store(Target(*part), piece, part->type);
   }
@@ -111,8 +111,9 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Conditiona
     }
     return "(" + test + " ? " + if_true + " : " + if_false + ")";
   }
-  const std::string test = ExpressionAs(*n.condition, WithScalar(condition, Scalar::kBool));
-  if (StorageOf(condition).is_matrix()) return MatrixSelect(e.type, test, if_true, if_false);
+  // A vector may choose among a matrix's components and the other way round.
+  const std::string test = ExpressionAs(*n.condition, WithScalar(e.type, Scalar::kBool));
+  if (StorageOf(e.type).is_matrix()) return MatrixSelect(e.type, test, if_true, if_false);
   return Prelude("burin_mix", StorageOf(e.type)) + "(" + test + ", " + if_true + ", " + if_false + ")";
 }
 

@@ -87,6 +87,7 @@ class FunctionWriter {
   // operators
   std::string Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a, const Type& a_type,
                          const std::string& b, const Type& b_type, bool divisor_is_safe);
+  std::string MatrixBits(ast::BinaryOperator op, const Type& type, const std::string& a, const std::string& b);
   std::string Comparison(ast::BinaryOperator op, const Type& common, const std::string& a, const std::string& b);
   std::string Logic(ast::BinaryOperator op, const ast::Binary& n, const Type& result);
   std::string Negated(const Type& type, const std::string& text);

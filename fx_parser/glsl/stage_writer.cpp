@@ -119,12 +119,17 @@ std::string StageWriter::ValueText(const Type& type, const std::vector<double>& 
 std::string StageWriter::DeclareParameter(const ast::Variable& variable) {
   const std::string uniform = "burin_p_" + PublicName(variable.name);
   parameters_.push_back(&variable);
-  globals_ += "uniform " + TypeText(variable.type) + " " + uniform + ";\n";
-  if (!written_.contains(&variable)) return uniform;
+  // The host gives every matrix as floats.
+  const bool is_line = variable.type.is_numeric() && variable.type.is_matrix && !IsFloating(variable.type.scalar) &&
+                       !StorageOf(variable.type).is_matrix();
+  const Type given = is_line ? WithScalar(variable.type, Scalar::kFloat) : variable.type;
+  globals_ += "uniform " + TypeText(given) + " " + uniform + ";\n";
+  if (!written_.contains(&variable) && !is_line) return uniform;
   // Direct3D 9 lets a shader write to its parameters; each invocation then has its own copy.
   const std::string copy = names_.Unique("w_", variable.name);
   globals_ += TypeText(variable.type) + " " + copy + ";\n";
-  initialisers_ += "  " + copy + " = " + uniform + ";\n";
+  const std::string value = is_line ? TypeText(variable.type) + "(" + uniform + ")" : uniform;
+  initialisers_ += "  " + copy + " = " + value + ";\n";
   return copy;
 }
 
