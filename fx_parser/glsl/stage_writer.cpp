@@ -150,10 +150,17 @@ std::string StageWriter::DeclareGlobal(const ast::Variable& variable) {
   if (DeclareConstant(variable)) return variable_names_[&variable];
   const std::string name = names_.Unique("g_", variable.name);
   variable_names_[&variable] = name;
+  if (call_depth_ >= kMaxCallDepth) {
+    Error(variable.range, "B1013",
+          "the shader grows past what can be translated: initial values that need each other, nested too deeply");
+    return name;
+  }
   globals_ += TypeText(variable.type) + " " + name + ";\n";
   FunctionWriter writer(*this, {});
   // Written first: what the initialiser reads is initialised before it.
+  ++call_depth_;
   const std::string text = writer.Initialisation(name, variable.type, variable.initializer.get());
+  --call_depth_;
   initialisers_ += text;
   return name;
 }

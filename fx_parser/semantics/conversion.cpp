@@ -175,11 +175,8 @@ long FlatComponents(const Type& type) {
   if (type.kind == TypeKind::kNumeric) {
     count = type.rows * type.columns;
   } else if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
-    for (const auto& member : type.structure->members) {
-      const long inner = FlatComponents(member->type);
-      if (inner < 0) return -1;
-      count += inner;
-    }
+    count = type.structure->components;
+    if (count < 0) return -1;
   } else {
     return -1;
   }
