@@ -2,6 +2,7 @@
 #include "fx_parser/fx_parser.h"
 
 #include "fx_parser/effect/builder.h"
+#include "fx_parser/glsl/names.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/syntax/parse.h"
 
@@ -35,7 +36,7 @@ std::optional<Value> EvaluateExpression(const Effect& effect, const ast::Express
   const VariableLookup by_variable = [&](const ast::Variable& variable) -> const Value* {
     if (!variable.is_global) return nullptr;
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-      if (effect.parameters[i].name == variable.name) return &lookup(i);
+      if (effect.parameters[i].name == PublicName(variable.name)) return &lookup(i);
     }
     return nullptr;
   };

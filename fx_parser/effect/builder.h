@@ -56,9 +56,11 @@ class EffectBuilder {
   void ResolveSamplerState(ast::StateAssignment& assignment, Sampler& sampler);
   void ResolveSamplerTexture(ast::StateAssignment& assignment, Sampler& sampler);
   void ResolveDimensions();
+  std::optional<std::size_t> FindSampler(const SamplerBinding& binding);
   // states
   std::optional<StateValue> ResolveState(ast::Expression& value, const std::string& state, int kind,
                                          std::span<const struct Enumerant> values, ast::StateAssignment::Form form);
+  Type CheckStateValue(ast::Expression& value);
   std::optional<int> EnumerantValue(const ast::Expression& value, std::span<const struct Enumerant> values);
   // shaders
   Shader ResolveShader(ast::Expression& value, bool vertex, int depth = 0);

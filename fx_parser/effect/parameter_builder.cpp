@@ -3,6 +3,7 @@
 #include "fx_parser/effect/case.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
+#include "fx_parser/semantics/host_parameter.h"
 #include "fx_parser/semantics/walk.h"
 
 namespace burin::fx {
@@ -31,7 +32,10 @@ void EffectBuilder::Build(bool write_programs) {
 std::vector<EffectAnnotation> EffectBuilder::BuildAnnotations(std::vector<ast::Annotation>& annotations) {
   std::vector<EffectAnnotation> result;
   for (ast::Annotation& annotation : annotations) {
-    const Type type = checker_.ResolveArrayType(annotation.type, annotation.array_sizes, annotation.value.get());
+    const bool is_untyped = annotation.type.name.empty() && annotation.value != nullptr;
+    const Type type =
+        is_untyped ? checker_.CheckExpression(*annotation.value)
+                   : checker_.ResolveArrayType(annotation.type, annotation.array_sizes, annotation.value.get());
     if (type.kind == TypeKind::kError) continue;
     Value value = ZeroValue(type);
     if (annotation.value != nullptr) {
@@ -62,9 +66,10 @@ void EffectBuilder::BuildParameters() {
   for (ast::Variable* variable : checker_.globals()) {
     const TypeKind kind = variable->type.kind;
     if (kind != TypeKind::kNumeric && kind != TypeKind::kString && kind != TypeKind::kStruct) continue;
-    if ((variable->qualifiers & (ast::kStatic | ast::kConst)) != 0) continue;
+    const bool holds_values = kind == TypeKind::kString || FlatComponents(variable->type) > 0;
+    if (!IsHostParameter(*variable) || !holds_values) continue;
     Parameter parameter;
-    parameter.name = variable->name;
+    parameter.name = PublicName(variable->name);
     parameter.type = variable->type;
     parameter.semantic = variable->semantic;
     parameter.annotations = BuildAnnotations(variable->annotations);

@@ -7,12 +7,17 @@ namespace burin::fx {
 namespace {
 
 /// Direct3D 10's Filter names: MIN_MAG_MIP_LINEAR, MIN_MAG_LINEAR_MIP_POINT ... ANISOTROPIC. The kind that follows a
-/// letter group holds for every group before it that has none yet.
+/// letter group holds for every group before it that has none yet. Also one of Direct3D 9's for all three.
 bool ParseFilter(std::string_view text, int& min, int& mag, int& mip) {
   const std::string name = LowerCase(text);
   if (name == "anisotropic") {
     min = mag = 3;
     mip = 2;
+    return true;
+  }
+  if (name == "none" || name == "point" || name == "linear") {
+    min = mag = name == "linear" ? 2 : 1;
+    mip = name == "linear" ? 2 : name == "point" ? 1 : 0;
     return true;
   }
   std::vector<int*> waiting;
@@ -121,7 +126,7 @@ void EffectBuilder::ResolveSamplerState(ast::StateAssignment& assignment, Sample
 
 void EffectBuilder::BuildSampler(const ast::Variable& variable, int element, ast::Expression* initializer) {
   Sampler sampler;
-  sampler.name = variable.name + (element >= 0 ? "[" + std::to_string(element) + "]" : "");
+  sampler.name = PublicName(variable.name) + (element >= 0 ? "[" + std::to_string(element) + "]" : "");
   sampler.dimension = variable.type.dimension;
   sampler.range = variable.range;
   auto* block = initializer != nullptr ? std::get_if<ast::StateBlockExpression>(&initializer->node) : nullptr;
@@ -163,6 +168,21 @@ void EffectBuilder::BuildSamplers() {
                    list != nullptr && i < list->elements.size() ? list->elements[i].get() : nullptr);
     }
   }
+}
+
+/// Pairs of a texture and a sampler of Direct3D 10 become samplers when a shader first uses them.
+std::optional<std::size_t> EffectBuilder::FindSampler(const SamplerBinding& binding) {
+  if (const auto at = samplers_.find(binding); at != samplers_.end()) return at->second;
+  const auto own = samplers_.find({binding.sampler, binding.element, nullptr});
+  const auto texture = textures_.find(binding.texture);
+  if (own == samplers_.end() || texture == textures_.end()) return std::nullopt;
+  Sampler sampler = effect_.samplers[own->second];
+  sampler.name = SamplerNameOf(binding);
+  sampler.texture = texture->second;
+  sampler.dimension = effect_.textures[texture->second].dimension;
+  samplers_[binding] = effect_.samplers.size();
+  effect_.samplers.push_back(std::move(sampler));
+  return effect_.samplers.size() - 1;
 }
 
 void EffectBuilder::ResolveDimensions() {

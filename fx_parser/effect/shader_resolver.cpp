@@ -3,6 +3,7 @@
 #include "fx_parser/effect/case.h"
 #include "fx_parser/effect/profile.h"
 #include "fx_parser/semantics/constant.h"
+#include "fx_parser/semantics/portability.h"
 
 namespace burin::fx {
 namespace {
@@ -60,6 +61,7 @@ EffectBuilder::Shader EffectBuilder::ResolveCompile(ast::Compile& compile, const
     shader.entry.arguments.push_back(argument.get());
   }
   if (shader.failed) return shader;
+  shader.unsupported = write_programs_ ? Unportable(*shader.entry.function, checker_) : "";
   std::size_t at = 0;
   for (const auto& parameter : shader.entry.function->parameters) {
     const bool is_sampler = parameter->type.kind == TypeKind::kSampler || parameter->type.kind == TypeKind::kTexture;

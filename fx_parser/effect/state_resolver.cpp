@@ -53,6 +53,15 @@ std::optional<int> EffectBuilder::EnumerantValue(const ast::Expression& value, s
   return right ? std::optional(*left | *right) : std::nullopt;
 }
 
+Type EffectBuilder::CheckStateValue(ast::Expression& value) {
+  const auto* list = std::get_if<ast::InitializerList>(&value.node);
+  if (list == nullptr || list->elements.empty() || list->elements.size() > 4) return checker_.CheckExpression(value);
+  const Type type = VectorType(Scalar::kFloat, static_cast<int>(list->elements.size()));
+  const int errors = diagnostics_.error_count();
+  checker_.CheckInitializer(value, type, "the value");
+  return diagnostics_.error_count() == errors ? type : Type{};
+}
+
 std::optional<StateValue> EffectBuilder::ResolveState(ast::Expression& value, const std::string& state, int kind,
                                                       std::span<const Enumerant> values,
                                                       ast::StateAssignment::Form form) {
@@ -75,14 +84,15 @@ std::optional<StateValue> EffectBuilder::ResolveState(ast::Expression& value, co
                                          : "; did you mean '" + near + "'?"));
     return std::nullopt;
   }
-  const Type type = checker_.CheckExpression(value);
+  // A list has no type of its own: `BorderColor = { 0, 0, 0, 1 }`.
+  const Type type = CheckStateValue(value);
   if (type.kind == TypeKind::kError) return std::nullopt;
   const bool is_color = state_kind == StateKind::kColor && type.is_numeric();
   if (!type.is_numeric() || (type.components() != 1 && !is_color)) {
     diagnostics_.Error(value.range, "X3020", state + " takes a number, found '" + ToString(type) + "'");
     return std::nullopt;
   }
-  if (const auto constant = Evaluate(value)) return StateConstant(*constant, state_kind);
+  if (const auto constant = EvaluateAs(value, type)) return StateConstant(*constant, state_kind);
   return static_cast<const ast::Expression*>(&value);
 }
 

@@ -140,7 +140,7 @@ constexpr SS kSamplerStates[] = {
     {"SRGBTexture", Sampling::kSrgbTexture, kI, kNoValues},
 };
 
-constexpr std::string_view kHarmlessSamplerStates[] = {"generatemipmap", "minlod",      "maxlod",      "elementindex",
+constexpr std::string_view kHarmlessSamplerStates[] = {"generatemipmap", "minmiplevel", "minlod",      "maxlod",      "elementindex",
                                                        "dmapoffset",     "comparefunc", "comparemode", "depthmode"};
 
 constexpr std::string_view kHarmless[] = {
@@ -151,7 +151,12 @@ constexpr std::string_view kHarmless[] = {
     "patchedgestyle", "patchsegments", "debugmonitortoken", "indexedvertexblendenable", "antialiasedlineenable",
     "mintessellationlevel", "maxtessellationlevel", "adaptivetess_x", "adaptivetess_y", "adaptivetess_z",
     "adaptivetess_w", "enableadaptivetessellation", "positiondegree", "normaldegree", "npatchmode", "tweenfactor",
-    "texturefactor", "fvf", "histencilenable", "histencilwriteenable",
+    "texturefactor", "fvf",
+    // the Xbox 360's
+    "histencilenable", "histencilwriteenable", "histencilfunc", "histencilref", "hizenable", "hizwriteenable",
+    "alphatomaskenable", "alphatomaskoffsets", "halfpixeloffset", "highprecisionblendenable",
+    "highprecisionblendenable0", "highprecisionblendenable1", "highprecisionblendenable2", "highprecisionblendenable3",
+    "presentinterval", "presentimmediatethreshold", "primitiveresetenable", "primitiveresetindex", "viewportenable",
     // CgFX's
     "clearcolor", "cleardepth", "clearstencil", "linewidth", "linesmoothenable", "linestippleenable",
     "pointsmoothenable", "pointspritecoordreplace", "polygonsmoothenable", "polygonstippleenable",
@@ -160,7 +165,12 @@ constexpr std::string_view kHarmless[] = {
     "colormaterialenable", "normalizeenable", "rescalenormalenable", "autonormalenable", "shademodel", "fogmode",
     "fogcoordsrc", "depthrange", "depthbounds", "depthboundsenable", "depthclampenable", "logicopenable",
     "texture1denable", "texture2denable", "texture3denable", "texturecubemapenable", "texturerectangleenable",
-    "vertexprogramtwosideenable", "vertexprogrampointsizeenable", "colorlogicopenable"};
+    "vertexprogramtwosideenable", "vertexprogrampointsizeenable", "colorlogicopenable", "colormaterial", "colormatrix",
+    "colortransform", "logicop", "linestipple", "fogdistancemode", "lightmodelcolorcontrol",
+    "lightmodellocalviewerenable", "pointdistanceattenuation", "pointfadethresholdsize", "pointsizemin",
+    "pointsizemax", "pointspritecoordorigin", "pointspritermode", "samplealphatooneenable", "samplecoverageenable",
+    "scissor", "scissortest", "stencilfuncseparate", "stencilmaskseparate", "stencilopseparate",
+    "stenciltesttwosideenable", "clipplane", "texgenqenable", "texgenrenable", "texgensenable", "texgentenable"};
 constexpr std::string_view kFixedVertex[] = {"lighting",
                                              "ambient",
                                              "specularenable",
@@ -202,7 +212,22 @@ constexpr std::string_view kFixedVertex[] = {"lighting",
                                              "vertexshaderconstant1",
                                              "vertexshaderconstant2",
                                              "vertexshaderconstant3",
-                                             "vertexshaderconstant4"};
+                                             "vertexshaderconstant4",
+                                             // CgFX's
+                                             "materialemission",
+                                             "materialshininess",
+                                             "lightconstantattenuation",
+                                             "lightlinearattenuation",
+                                             "lightquadraticattenuation",
+                                             "lightspotcutoff",
+                                             "lightspotdirection",
+                                             "lightspotexponent",
+                                             "modelviewmatrix",
+                                             "modelviewtransform",
+                                             "projectionmatrix",
+                                             "texturematrix",
+                                             "vertexenvparameter",
+                                             "vertexlocalparameter"};
 constexpr std::string_view kFixedPixel[] = {"colorop",
                                             "colorarg0",
                                             "colorarg1",
@@ -244,7 +269,29 @@ constexpr std::string_view kFixedPixel[] = {"colorop",
                                             "pixelshaderconstant3",
                                             "pixelshaderconstant4",
                                             "constant",
-                                            "texturestage"};
+                                            "texturestage",
+                                            // CgFX's
+                                            "texture1d",
+                                            "texture2d",
+                                            "texture3d",
+                                            "texturecubemap",
+                                            "texturerectangle",
+                                            "textureenvcolor",
+                                            "textureenvmode",
+                                            "texgenqmode",
+                                            "texgenrmode",
+                                            "texgensmode",
+                                            "texgentmode",
+                                            "texgenqeyeplane",
+                                            "texgenreyeplane",
+                                            "texgenseyeplane",
+                                            "texgenteyeplane",
+                                            "texgenqobjectplane",
+                                            "texgenrobjectplane",
+                                            "texgensobjectplane",
+                                            "texgentobjectplane",
+                                            "fragmentenvparameter",
+                                            "fragmentlocalparameter"};
 constexpr std::string_view kOtherStages[] = {"geometryshader",
                                              "geometryprogram",
                                              "hullshader",

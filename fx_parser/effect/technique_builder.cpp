@@ -128,10 +128,10 @@ void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::v
   for (const ast::Variable* variable : text.parameters) program.parameters.push_back(parameters_.at(variable));
   std::sort(program.parameters.begin(), program.parameters.end());
   for (const SamplerBinding& binding : text.samplers) {
-    const auto at = samplers_.find(binding);
-    if (at == samplers_.end()) continue;
-    program.samplers.push_back(at->second);
-    Sampler& sampler = effect_.samplers[at->second];
+    const auto at = FindSampler(binding);
+    if (!at) continue;
+    program.samplers.push_back(*at);
+    Sampler& sampler = effect_.samplers[*at];
     const Dimension used = text.dimensions.at(binding);
     const Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;
     if (texture != nullptr && texture->dimension != Dimension::kUnknown && texture->dimension != used) {
@@ -227,7 +227,9 @@ void EffectBuilder::BuildTechniques() {
       technique.custom_attribute = LowerCase(std::string_view(source->name).substr(3));
     const auto [at, inserted] = names.emplace(source->name, source);
     if (!inserted && !source->name.empty()) {
-      diagnostics_.Error(source->range, "X3003", "redefinition of technique '" + source->name + "'")
+      diagnostics_
+          .Warning(source->range, "B1027",
+                   "a second technique '" + source->name + "': its name means the first one")
           .notes.push_back({at->second->range, "'" + source->name + "' was defined here"});
     }
     if (source->keyword == "technique10" || source->keyword == "technique11") {
@@ -238,6 +240,13 @@ void EffectBuilder::BuildTechniques() {
       for (ast::Pass& pass : source->passes) BuildPass(pass, technique);
       for (std::size_t i = 0; i < technique.passes.size(); ++i)
         CheckDataFlow(technique, technique.passes[i], static_cast<int>(i));
+    }
+    // One without passes says on purpose that nothing is to be drawn.
+    if (!technique.unsupported.empty() && !source->passes.empty() && !diagnostics_.has_errors()) {
+      std::string text = "technique " + (technique.name.empty() ? "" : "'" + technique.name + "' ") + "cannot run here";
+      for (const std::string& reason : technique.unsupported)
+        text += (&reason == &technique.unsupported.front() ? ": " : "; ") + reason;
+      diagnostics_.Warning(technique.range, "B1026", text);
     }
     effect_.techniques.push_back(std::move(technique));
   }

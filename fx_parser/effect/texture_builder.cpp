@@ -43,6 +43,7 @@ bool IsScriptTarget(std::string_view semantic) {
 
 /// The formats of targets, and the names of others that hold the same.
 std::optional<Format> FindScriptFormat(std::string_view name) {
+  if (LowerCase(name).starts_with("d3dfmt_")) name.remove_prefix(7);
   if (EqualsIgnoringCase(name, "A8B8G8R8")) return Format::kA8R8G8B8;
   if (EqualsIgnoringCase(name, "X8B8G8R8") || EqualsIgnoringCase(name, "R8G8B8")) return Format::kX8R8G8B8;
   if (EqualsIgnoringCase(name, "A2R10G10B10")) return Format::kA2B10G10R10;
@@ -87,7 +88,7 @@ bool IsCustomTechnique(const ast::Technique& technique) {
 
 void EffectBuilder::BuildTexture(ast::Variable& variable) {
   Texture texture;
-  texture.name = variable.name;
+  texture.name = PublicName(variable.name);
   texture.dimension = variable.type.dimension;
   texture.semantic = variable.semantic;
   texture.annotations = BuildAnnotations(variable.annotations);

@@ -4,6 +4,7 @@
 #include "fx_parser/glsl/function_writer.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
+#include "fx_parser/semantics/methods.h"
 
 namespace burin::fx {
 namespace {
@@ -111,7 +112,12 @@ std::string FunctionWriter::UserCall(const ast::Expression& e, const ast::Call& 
 std::string FunctionWriter::Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call) {
   std::string chosen;  // the element's number, where it is known only as the shader runs
   std::string setup;
-  const std::vector<SamplerBinding> bindings = LookupSamplers(*n.arguments[0], chosen, setup);
+  std::vector<SamplerBinding> bindings = LookupSamplers(*n.arguments[0], chosen, setup);
+  if (n.object != nullptr) {
+    const ast::Variable* texture = ResolveSampler(*n.object).sampler;
+    if (texture == nullptr) return "vec4(0.0)";
+    for (SamplerBinding& binding : bindings) binding.texture = texture;
+  }
   std::vector<std::string> texts = {""};
   for (std::size_t i = 1; i < n.arguments.size(); ++i) {
     std::string text = ExpressionAs(*n.arguments[i], call.parameters[i]);
@@ -191,6 +197,30 @@ std::string FunctionWriter::Mul(const std::string& a, const Type& a_type, const 
   return "(" + b + " * " + a + ")";
 }
 
+/// asfloat, asint, asuint: the same bits as another scalar.
+std::string FunctionWriter::Reinterpreted(const std::string& text, const Type& from, const Type& to) {
+  if (StorageOf(from).is_matrix() || IsFloating(from.scalar) == IsFloating(to.scalar)) return Convert(text, from, to);
+  const char* name = from.scalar == Scalar::kInt    ? "intBitsToFloat"
+                     : from.scalar == Scalar::kUint ? "uintBitsToFloat"
+                     : to.scalar == Scalar::kInt    ? "floatBitsToInt"
+                                                    : "floatBitsToUint";
+  return std::string(name) + "(" + text + ")";
+}
+
+std::string FunctionWriter::MethodText(const ast::Expression& e, const ast::Call& n) {
+  const Intrinsic& method = Methods()[static_cast<std::size_t>(n.method)];
+  std::vector<Type> types;
+  for (const auto& argument : n.arguments) types.push_back(argument->type);
+  auto call = ResolveIntrinsic(method, types);
+  if (!call) return "0";
+  if ((method.traits & kFragmentOnly) != 0 && stage_.stage() == Stage::kVertex) {
+    stage_.Error(n.name_range, "X4532", "'" + n.name + "' cannot be used in a vertex shader");
+    return "0";
+  }
+  call->result = WithScalar(e.type, Scalar::kFloat);
+  return Convert(Lookup(n, method, *call), call->result, e.type);
+}
+
 std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::Call& n) {
   const Intrinsic& intrinsic = Intrinsics()[static_cast<std::size_t>(n.intrinsic)];
   std::vector<Type> types;
@@ -215,9 +245,15 @@ std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::C
       arguments.push_back(ExpressionAs(*n.arguments[i], call->parameters[i]));
     }
   }
-  if (intrinsic.name == "mul") return Mul(arguments[0], call->parameters[0], arguments[1], call->parameters[1]);
+  if (intrinsic.name == "mul") {
+    const bool product = call->parameters[0].components() > 1 && call->parameters[1].components() > 1;
+    const std::string text = Mul(arguments[0], call->parameters[0], arguments[1], call->parameters[1]);
+    // GLSL's products are of floats.
+    return product ? Convert(text, WithScalar(call->result, Scalar::kFloat), call->result) : text;
+  }
   if (intrinsic.name == "any" || intrinsic.name == "all") return AnyAll(n.name, arguments[0], call->parameters[0]);
   const Type& first = call->parameters[0];
+  if (intrinsic.glsl.empty()) return Reinterpreted(arguments[0], first, call->result);
   if (intrinsic.name == "transpose" && !StorageOf(first).is_matrix()) return arguments[0];
   if (intrinsic.name == "determinant" && first.components() == 1) return arguments[0];
   if (intrinsic.name == "sign" && !StorageOf(first).is_matrix()) {
@@ -229,6 +265,7 @@ std::string FunctionWriter::IntrinsicText(const ast::Expression& e, const ast::C
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Call& n) {
   if (n.function != nullptr) return UserCall(e, n);
+  if (n.method >= 0) return MethodText(e, n);
   if (n.intrinsic >= 0) return IntrinsicText(e, n);
   return "0";
 }

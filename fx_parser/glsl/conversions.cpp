@@ -85,10 +85,11 @@ std::string FunctionWriter::FromComponents(const Type& type, const std::vector<s
     return text + (members.empty() ? "0.0)" : ")");
   }
   const Storage wanted = StorageOf(type);
-  for (int i = 0; i < type.components(); ++i, ++next) {
+  for (int i = 0; i < type.components(); ++i) {
     std::string component = ConvertScalar(components[next], StorageOf(ScalarType(scalars[next])), type.scalar);
+    ++next;
     // Matrices hold floats, so that an int or bool in one has to be made whole first.
-    if (type.is_matrix && !IsFloating(type.scalar)) component = "float(" + component + ")";
+    if (wanted.is_matrix() && !IsFloating(type.scalar)) component = "float(" + component + ")";
     if (wanted.size == 1 && wanted.columns == 1) return component;
     text += (i > 0 ? ", " : "") + component;
   }
@@ -100,7 +101,8 @@ std::string FunctionWriter::Convert(const std::string& text, const Type& from, c
   if (from.is_numeric() && to.is_numeric()) {
     const Storage have = StorageOf(from);
     const Storage want = StorageOf(to);
-    const bool whole_matrix = (from.is_matrix || to.is_matrix) && from.scalar != to.scalar && !IsFloating(to.scalar);
+    const bool whole_matrix =
+        (have.is_matrix() || want.is_matrix()) && from.scalar != to.scalar && !IsFloating(to.scalar);
     if (have == want && !whole_matrix) return text;
     if (!have.is_matrix() && !want.is_matrix() && !whole_matrix) {
       if (have.size == want.size) return ConvertScalar(text, have, want.scalar);
@@ -121,7 +123,7 @@ std::string FunctionWriter::Convert(const std::string& text, const Type& from, c
   Components(source, from, components);
   AppendFlatScalars(from, scalars);
   // A component of an int matrix is held as a float.
-  if (from.is_numeric() && from.is_matrix) std::fill(scalars.begin(), scalars.end(), Scalar::kFloat);
+  if (from.is_numeric() && StorageOf(from).is_matrix()) std::fill(scalars.begin(), scalars.end(), Scalar::kFloat);
   if (from.is_numeric() && to.is_numeric() && from.is_matrix && to.is_matrix && from.components() > 1) {
     std::vector<std::string> kept;
     for (int r = 0; r < to.rows; ++r) {
@@ -173,7 +175,7 @@ void FunctionWriter::FlattenList(const std::vector<ast::ExpressionPtr>& elements
     Components(is_single ? text : Reusable(text, element->type, setup), element->type, components);
     const std::size_t before = scalars.size();
     AppendFlatScalars(element->type, scalars);
-    if (element->type.is_numeric() && element->type.is_matrix) {
+    if (element->type.is_numeric() && StorageOf(element->type).is_matrix()) {
       std::fill(scalars.begin() + static_cast<std::ptrdiff_t>(before), scalars.end(), Scalar::kFloat);
     }
   }

@@ -85,7 +85,7 @@ std::string EntryWriter::InputValue(const Type& type, const std::string& semanti
     key.index += offset++;
     const std::string text = Input(key, semantic, range);
     rows.push_back(main_.Convert(text, VectorType(Scalar::kFloat, 4),
-                                 WithScalar(line, type.is_matrix ? Scalar::kFloat : type.scalar)));
+                                 WithScalar(line, StorageOf(type).is_matrix() ? Scalar::kFloat : type.scalar)));
   }
   if (rows.size() == 1) return rows.front();
   std::string text;
@@ -216,6 +216,12 @@ std::string FragmentEntry::Output(const Semantic& semantic, const std::string& v
     targets.insert(semantic.index);
     return "  burin_out" + std::to_string(semantic.index) + " = " + ToVec4(value, type, true) + ";\n";
   }
+  if (semantic.name == "COLOR") {
+    stage_.Warning(range, "B1028",
+                                 "'" + entry_.function->name + "': there is no target " +
+                                     std::to_string(semantic.index) + ", so what goes there is lost");
+    return {};
+  }
   if (semantic.name == "DEPTH") {
     writes_depth = true;
     return "  gl_FragDepth = " + main_.Convert(value, type, ScalarType(Scalar::kFloat)) + ";\n";
@@ -229,7 +235,7 @@ std::string VertexEntry::Input(const Semantic& semantic, const std::string&, con
   if (semantic.name == "SV_VERTEXID") return "vec4(float(gl_VertexID))";
   if (semantic.name == "SV_INSTANCEID") return "vec4(float(gl_InstanceID))";
   if (!VertexInputLocation(semantic.Key())) {
-    stage_.diagnostics().Warning(range, "B1016",
+    stage_.Warning(range, "B1016",
                                  "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
     return "vec4(0.0)";
   }

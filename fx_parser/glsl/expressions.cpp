@@ -53,6 +53,10 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Name& n) {
 }
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Assign& n) {
+  if (const auto* parts = std::get_if<ast::Construct>(&n.target->node)) {
+    const std::string value = n.op ? CompoundValue(n, e.type, Expression(*n.target)) : ExpressionAs(*n.value, e.type);
+    return Distribute(*parts, e.type, value);
+  }
   const Lvalue target = Target(*n.target);
   if (!n.op) return Store(target, Expression(*n.value), n.value->type);
   const Type& value_type = n.value->type;
@@ -68,12 +72,30 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Assign& n)
                             : " *= ") +
            ExpressionAs(*n.value, wanted) + ")";
   }
+  return Store(target, CompoundValue(n, *common, Read(target)), *common);
+}
+
+/// What `target op= value` assigns, as a `result`.
+std::string FunctionWriter::CompoundValue(const ast::Assign& n, const Type& result, const std::string& target) {
   const auto constant = Evaluate(*n.value);
   bool safe = constant.has_value();
   for (const double x : constant ? constant->numbers : std::vector<double>{}) safe = safe && x != 0;
-  Type result = *common;
-  const std::string value = Arithmetic(*n.op, result, Read(target), e.type, Expression(*n.value), value_type, safe);
-  return Store(target, value, result);
+  return Arithmetic(*n.op, result, target, n.target->type, Expression(*n.value), n.value->type, safe);
+}
+
+/// A value of vector or matrix type to the parts of a constructor, in order.
+std::string FunctionWriter::Distribute(const ast::Construct& parts, const Type& type, const std::string& value) {
+  const std::string whole = NewTemporary(type);
+  std::string text = whole + " = " + value;
+  std::vector<std::string> components;
+  Components(whole, type, components);
+  std::size_t next = 0;
+  for (const auto& part : parts.arguments) {
+    const std::vector<Scalar> scalars(components.size(), StorageOf(type).is_matrix() ? Scalar::kFloat : type.scalar);
+    const std::string piece = FromComponents(part->type, components, scalars, next);
+    text += ", " + Store(Target(*part), piece, part->type);
+  }
+  return "(" + text + ", " + whole + ")";
 }
 
 std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Conditional& n) {
@@ -89,8 +111,9 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Conditiona
     }
     return "(" + test + " ? " + if_true + " : " + if_false + ")";
   }
-  const std::string test = ExpressionAs(*n.condition, WithScalar(condition, Scalar::kBool));
-  if (StorageOf(condition).is_matrix()) return MatrixSelect(e.type, test, if_true, if_false);
+  // A vector may choose among a matrix's components and the other way round.
+  const std::string test = ExpressionAs(*n.condition, WithScalar(e.type, Scalar::kBool));
+  if (StorageOf(e.type).is_matrix()) return MatrixSelect(e.type, test, if_true, if_false);
   return Prelude("burin_mix", StorageOf(e.type)) + "(" + test + ", " + if_true + ", " + if_false + ")";
 }
 
@@ -113,8 +136,9 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Cast& n) {
 }
 
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::Member& n) {
-  const std::string operand = Expression(*n.operand);
   const Type& type = n.operand->type;
+  if (type.is_array()) return std::to_string(type.array.front());   // .length
+  const std::string operand = Expression(*n.operand);
   if (type.kind == TypeKind::kStruct) return operand + "." + GlslMemberName(n.name);
   const auto swizzle = ParseSwizzle(type, n.name);
   return swizzle ? SwizzleText(operand, type, *swizzle) : operand;

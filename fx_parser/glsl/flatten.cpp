@@ -8,6 +8,7 @@
 
 #include "fx_parser/glsl/function_writer.h"
 #include "fx_parser/semantics/constant.h"
+#include "fx_parser/semantics/methods.h"
 #include "fx_parser/semantics/walk.h"
 
 namespace burin::fx {
@@ -24,25 +25,20 @@ class TraitFinder {
   explicit TraitFinder(const Checker& checker) : checker_(checker) {}
 
   void Add(const ast::Expression& e) {
-    const auto* call = std::get_if<ast::Call>(&e.node);
-    if (call == nullptr) return;
-    if (call->function == nullptr) {
-      const unsigned intrinsic =
-          call->intrinsic >= 0 ? Intrinsics()[static_cast<std::size_t>(call->intrinsic)].traits : 0;
-      found.derivatives = found.derivatives || (intrinsic & kImplicitDerivatives) != 0;
-      found.effects = found.effects || call->name == "clip";
-      return;
+    AddOwn(e);
+    while (!pending_.empty()) {  // not by recursion: chains of calls may be as long as the file
+      const ast::Function* definition = checker_.Definition(*pending_.back());
+      pending_.pop_back();
+      if (definition == nullptr || !seen_.insert(definition).second) continue;
+      found.effects = found.effects || HasDiscard(*definition->body);
+      ForEachExpression(*definition->body, [&](const ast::Expression& inner) {
+        std::set<const ast::Variable*> written;
+        AppendWritten(inner, written);
+        found.effects =
+            found.effects || std::ranges::any_of(written, [](const ast::Variable* v) { return v->is_global; });
+        AddOwn(inner);
+      });
     }
-    const ast::Function* definition = checker_.Definition(*call->function);
-    if (definition == nullptr || !seen_.insert(definition).second) return;
-    found.effects = found.effects || HasDiscard(*definition->body);
-    ForEachExpression(*definition->body, [&](const ast::Expression& inner) {
-      std::set<const ast::Variable*> written;
-      AppendWritten(inner, written);
-      found.effects =
-          found.effects || std::ranges::any_of(written, [](const ast::Variable* v) { return v->is_global; });
-      Add(inner);
-    });
   }
 
   static bool HasDiscard(const ast::Statement& statement) {
@@ -65,8 +61,23 @@ class TraitFinder {
   Traits found;
 
  private:
+  void AddOwn(const ast::Expression& e) {
+    const auto* call = std::get_if<ast::Call>(&e.node);
+    if (call == nullptr) return;
+    if (call->function != nullptr) {
+      pending_.push_back(call->function);
+      return;
+    }
+    const unsigned intrinsic = call->method >= 0      ? Methods()[static_cast<std::size_t>(call->method)].traits
+                               : call->intrinsic >= 0 ? Intrinsics()[static_cast<std::size_t>(call->intrinsic)].traits
+                                                      : 0;
+    found.derivatives = found.derivatives || (intrinsic & kImplicitDerivatives) != 0;
+    found.effects = found.effects || call->name == "clip";
+  }
+
   const Checker& checker_;
   std::set<const ast::Function*> seen_;
+  std::vector<const ast::Function*> pending_;
 };
 
 /// Only declarations, expressions and branches of them. Loops are left alone: what they do each time round may end

@@ -87,6 +87,7 @@ class FunctionWriter {
   // operators
   std::string Arithmetic(ast::BinaryOperator op, const Type& common, const std::string& a, const Type& a_type,
                          const std::string& b, const Type& b_type, bool divisor_is_safe);
+  std::string MatrixBits(ast::BinaryOperator op, const Type& type, const std::string& a, const std::string& b);
   std::string Comparison(ast::BinaryOperator op, const Type& common, const std::string& a, const std::string& b);
   std::string Logic(ast::BinaryOperator op, const ast::Binary& n, const Type& result);
   std::string Negated(const Type& type, const std::string& text);
@@ -110,6 +111,9 @@ class FunctionWriter {
   std::string Reusable(const std::string& text, const Type& type, std::string& setup);
   static std::string Sequence(const std::string& setup, const std::string& value);
 
+  std::string CompoundValue(const ast::Assign& n, const Type& result, const std::string& target);
+  std::string Distribute(const ast::Construct& parts, const Type& type, const std::string& value);
+
   // lvalues
   Lvalue Target(const ast::Expression& e);
   Lvalue MemberTarget(const ast::Expression& e, const ast::Member& n);
@@ -127,6 +131,8 @@ class FunctionWriter {
   // calls
   std::string UserCall(const ast::Expression& e, const ast::Call& n);
   std::string IntrinsicText(const ast::Expression& e, const ast::Call& n);
+  std::string Reinterpreted(const std::string& text, const Type& from, const Type& to);
+  std::string MethodText(const ast::Expression& e, const ast::Call& n);
   std::string Lookup(const ast::Call& n, const Intrinsic& intrinsic, const IntrinsicCall& call);
   std::vector<SamplerBinding> LookupSamplers(const ast::Expression& e, std::string& chosen, std::string& setup);
   [[nodiscard]] std::string LookupText(const Intrinsic& intrinsic, const std::vector<std::string>& texts) const;

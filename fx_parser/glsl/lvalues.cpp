@@ -179,9 +179,11 @@ std::string FunctionWriter::Store(const Lvalue& target, const std::string& value
   }
   std::string setup = target.setup;
   const std::string source = Reusable(converted, target.type, setup);
+  const bool is_float = StorageOf(target.matrix).scalar == Scalar::kFloat;
   for (std::size_t i = 0; i < target.scattered.size(); ++i) {
-    setup += (setup.empty() ? "" : ", ") + MatrixComponent(target.text, target.matrix, target.scattered[i]) +
-             " = float(" + source + "." + kLetters[i] + ")";
+    const std::string component = source + "." + kLetters[i];
+    setup += (setup.empty() ? "" : ", ") + MatrixComponent(target.text, target.matrix, target.scattered[i]) + " = " +
+             (is_float ? "float(" + component + ")" : component);
   }
   return "(" + setup + ", " + source + ")";
 }

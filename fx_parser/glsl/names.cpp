@@ -47,6 +47,13 @@ std::string SanitisedName(std::string_view name) {
   return result;
 }
 
+std::string PublicName(std::string_view name) {
+  std::string result(name);
+  for (std::size_t at = result.find("::"); at != std::string::npos; at = result.find("::", at))
+    result.replace(at, 2, "_");
+  return result;
+}
+
 std::string NameTable::Unique(std::string_view prefix, std::string_view base) {
   const std::string stem = SanitisedName(std::string(prefix) + std::string(base));
   std::string name = stem;

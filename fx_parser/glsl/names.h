@@ -17,6 +17,9 @@ class NameTable {
   std::unordered_set<std::string> taken_;
 };
 
+/// What the host and its users call something of a namespace: "outer_inner" for "outer::inner".
+[[nodiscard]] std::string PublicName(std::string_view name);
+
 /// `name` with everything that GLSL's identifiers lack replaced.
 [[nodiscard]] std::string SanitisedName(std::string_view name);
 

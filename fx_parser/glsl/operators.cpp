@@ -64,6 +64,11 @@ const char* VectorComparison(ast::BinaryOperator op) {
   }
 }
 
+bool IsBitwise(ast::BinaryOperator op) {
+  using enum ast::BinaryOperator;
+  return op == kShl || op == kShr || op == kBitAnd || op == kBitXor || op == kBitOr;
+}
+
 /// The type of one column of the GLSL matrix that holds `type`.
 Type ColumnType(const Type& type) { return VectorType(Scalar::kFloat, type.columns); }
 
@@ -113,6 +118,7 @@ std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& commo
   const std::string left = operand(a, a_type);
   const std::string right = operand(b, b_type);
   const bool both_whole = a_type.components() > 1 && b_type.components() > 1;
+  if (storage.is_matrix() && IsBitwise(op)) return MatrixBits(op, common, left, right);
   if (storage.is_matrix()) {
     const Type column = ColumnType(common);
     if (op == kMul && both_whole) return "matrixCompMult(" + left + ", " + right + ")";
@@ -136,6 +142,22 @@ std::string FunctionWriter::Arithmetic(ast::BinaryOperator op, const Type& commo
   }
   if (op == kMod) return Prelude(is_float ? "burin_fmod" : "burin_imod", storage) + "(" + left + ", " + right + ")";
   return "(" + left + Sign(op) + right + ")";
+}
+
+/// Whole numbers of a matrix are held as floats, which have no bits.
+std::string FunctionWriter::MatrixBits(ast::BinaryOperator op, const Type& type, const std::string& a,
+                                       const std::string& b) {
+  std::string setup;
+  const std::string left = Reusable(a, type, setup);
+  const std::string right = Reusable(b, type, setup);
+  std::vector<std::string> a_parts, b_parts;
+  Components(left, type, a_parts);
+  Components(right, type, b_parts);
+  std::string list;
+  for (std::size_t i = 0; i < a_parts.size(); ++i) {
+    list += (i > 0 ? ", " : "") + std::string("float(int(") + a_parts[i] + ")" + Sign(op) + "int(" + b_parts[i] + "))";
+  }
+  return Sequence(setup, StorageText(StorageOf(type)) + "(" + list + ")");
 }
 
 std::string FunctionWriter::Comparison(ast::BinaryOperator op, const Type& common, const std::string& a,
@@ -178,6 +200,7 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Unary& n) 
     case ast::UnaryOperator::kNegate:
       return "(-" + ExpressionAs(*n.operand, e.type) + ")";
     case ast::UnaryOperator::kBitNot:
+      if (StorageOf(e.type).is_matrix()) return "(-1.0 - " + ExpressionAs(*n.operand, e.type) + ")";
       return "(~" + ExpressionAs(*n.operand, e.type) + ")";
     case ast::UnaryOperator::kNot:
       return "(" + Negated(e.type, ExpressionAs(*n.operand, e.type)) + ")";

@@ -37,7 +37,15 @@ std::optional<int> VertexInputLocation(std::string_view text) {
   static const std::map<std::string_view, int> locations = {{"POSITION0", 0},    {"NORMAL0", 1},      {"TANGENT0", 2},
                                                             {"BINORMAL0", 3},    {"COLOR0", 4},       {"COLOR1", 5},
                                                             {"BLENDWEIGHT0", 6}, {"BLENDINDICES0", 7}};
+  // Cg's attribute numbers (Cg Toolkit 3.1, profile arbvp1, "Varying Input Semantics").
+  static const std::map<int, std::string_view> attributes = {{0, "POSITION0"}, {1, "BLENDWEIGHT0"}, {2, "NORMAL0"},
+                                                             {3, "COLOR0"},    {4, "COLOR1"}};
   const Semantic semantic = ParseSemantic(text);
+  if (semantic.name == "ATTR") {
+    if (semantic.index >= 8) return VertexInputLocation("TEXCOORD" + std::to_string(semantic.index - 8));
+    const auto at = attributes.find(semantic.index);
+    return at == attributes.end() ? std::nullopt : VertexInputLocation(at->second);
+  }
   if (semantic.name == "TEXCOORD") {
     return semantic.index < 8 ? std::optional(8 + semantic.index) : std::nullopt;
   }

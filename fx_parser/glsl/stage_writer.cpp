@@ -7,6 +7,7 @@
 #include "fx_parser/glsl/interface.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
+#include "fx_parser/semantics/host_parameter.h"
 
 namespace burin::fx {
 namespace {
@@ -35,15 +36,26 @@ std::string ArraySuffix(const Type& type) {
 
 }  // namespace
 
+std::string SamplerNameOf(const SamplerBinding& binding) {
+  if (binding.texture == nullptr) return PublicName(binding.sampler->name);
+  return PublicName(binding.texture->name) + "_with_" + PublicName(binding.sampler->name) +
+         (binding.element >= 0 ? "_" + std::to_string(binding.element) : "");
+}
+
+bool StageWriter::IsReported(const Range& range, const std::string& text) const {
+  return std::ranges::any_of(diagnostics_.all(), [&](const Diagnostic& d) {
+    return d.text == text && d.range.begin.file == range.begin.file && d.range.begin.line == range.begin.line &&
+           d.range.begin.column == range.begin.column;
+  });
+}
+
 void StageWriter::Error(const Range& range, const char* code, const std::string& text) {
   failed_ = true;
-  for (const Diagnostic& d : diagnostics_.all()) {
-    if (d.text == text && d.range.begin.file == range.begin.file && d.range.begin.line == range.begin.line &&
-        d.range.begin.column == range.begin.column) {
-      return;
-    }
-  }
-  diagnostics_.Error(range, code, text);
+  if (!IsReported(range, text)) diagnostics_.Error(range, code, text);
+}
+
+void StageWriter::Warning(const Range& range, const char* code, const std::string& text) {
+  if (!IsReported(range, text)) diagnostics_.Warning(range, code, text);
 }
 
 std::string StageWriter::StructName(const ast::Struct& structure) {
@@ -105,14 +117,19 @@ std::string StageWriter::ValueText(const Type& type, const std::vector<double>& 
 }
 
 std::string StageWriter::DeclareParameter(const ast::Variable& variable) {
-  const std::string uniform = "burin_p_" + variable.name;
+  const std::string uniform = "burin_p_" + PublicName(variable.name);
   parameters_.push_back(&variable);
-  globals_ += "uniform " + TypeText(variable.type) + " " + uniform + ";\n";
-  if (!written_.contains(&variable)) return uniform;
+  // The host gives every matrix as floats.
+  const bool is_line = variable.type.is_numeric() && variable.type.is_matrix && !IsFloating(variable.type.scalar) &&
+                       !StorageOf(variable.type).is_matrix();
+  const Type given = is_line ? WithScalar(variable.type, Scalar::kFloat) : variable.type;
+  globals_ += "uniform " + TypeText(given) + " " + uniform + ";\n";
+  if (!written_.contains(&variable) && !is_line) return uniform;
   // Direct3D 9 lets a shader write to its parameters; each invocation then has its own copy.
   const std::string copy = names_.Unique("w_", variable.name);
   globals_ += TypeText(variable.type) + " " + copy + ";\n";
-  initialisers_ += "  " + copy + " = " + uniform + ";\n";
+  const std::string value = is_line ? TypeText(variable.type) + "(" + uniform + ")" : uniform;
+  initialisers_ += "  " + copy + " = " + value + ";\n";
   return copy;
 }
 
@@ -129,15 +146,21 @@ bool StageWriter::DeclareConstant(const ast::Variable& variable) {
 }
 
 std::string StageWriter::DeclareGlobal(const ast::Variable& variable) {
-  constexpr std::uint32_t kNoParameter = ast::kStatic | ast::kConst;
-  if ((variable.qualifiers & kNoParameter) == 0) return DeclareParameter(variable);
+  if (IsHostParameter(variable)) return DeclareParameter(variable);
   if (DeclareConstant(variable)) return variable_names_[&variable];
   const std::string name = names_.Unique("g_", variable.name);
   variable_names_[&variable] = name;
+  if (call_depth_ >= kMaxCallDepth) {
+    Error(variable.range, "B1013",
+          "the shader grows past what can be translated: initial values that need each other, nested too deeply");
+    return name;
+  }
   globals_ += TypeText(variable.type) + " " + name + ";\n";
   FunctionWriter writer(*this, {});
   // Written first: what the initialiser reads is initialised before it.
+  ++call_depth_;
   const std::string text = writer.Initialisation(name, variable.type, variable.initializer.get());
+  --call_depth_;
   initialisers_ += text;
   return name;
 }
@@ -158,7 +181,8 @@ std::string StageWriter::SamplerName(const SamplerBinding& binding, Dimension di
           "sampler '" + binding.sampler->name + "' is looked up as a " + DimensionText(dimension) + " here and as a " +
               DimensionText(at->second) + " elsewhere in the same shader");
   }
-  return "burin_s_" + binding.sampler->name + (binding.element >= 0 ? "[" + std::to_string(binding.element) + "]" : "");
+  const bool is_element = binding.element >= 0 && binding.texture == nullptr;
+  return "burin_s_" + SamplerNameOf(binding) + (is_element ? "[" + std::to_string(binding.element) + "]" : "");
 }
 
 std::string StageWriter::PreludeName(const std::string& name, const std::string& type) {
@@ -207,11 +231,13 @@ std::optional<Value> StageWriter::ConstantOf(const ast::Expression& expression) 
 
 std::string StageWriter::Declarations() const {
   std::string text;
-  std::set<const ast::Variable*> declared;
+  std::set<std::string> declared;
   for (const auto& [binding, dimension] : samplers_) {
-    if (!declared.insert(binding.sampler).second) continue;
-    text += "uniform " + DimensionText(dimension) + " burin_s_" + binding.sampler->name +
-            ArraySuffix(binding.sampler->type) + ";\n";
+    const std::string name = SamplerNameOf(binding);
+    if (!declared.insert(name).second) continue;
+    const bool is_array = binding.texture == nullptr;
+    text += "uniform " + DimensionText(dimension) + " burin_s_" + name +
+            (is_array ? ArraySuffix(binding.sampler->type) : "") + ";\n";
   }
   return structs_ + text + globals_ + PreludeText(prelude_) + functions_;
 }

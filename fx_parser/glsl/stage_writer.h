@@ -22,8 +22,12 @@ enum class Stage { kVertex, kFragment };
 struct SamplerBinding {
   const ast::Variable* sampler = nullptr;
   int element = -1;
+  /// Direct3D 10's texture that the sampler looks up; null: the sampler's own.
+  const ast::Variable* texture = nullptr;
   auto operator<=>(const SamplerBinding&) const = default;
 };
+/// As GLSL and Effect::samplers name it, without the element: "samp", "tex_with_samp".
+[[nodiscard]] std::string SamplerNameOf(const SamplerBinding& binding);
 /// What a function's sampler parameters stand for in one instance of it.
 using SamplerBindings = std::map<const ast::Variable*, SamplerBinding>;
 
@@ -46,6 +50,7 @@ class StageWriter {
   void Fail() { failed_ = true; }
   /// One report for each thing and place, however many instances meet it.
   void Error(const Range& range, const char* code, const std::string& text);
+  void Warning(const Range& range, const char* code, const std::string& text);
 
   /// "vec3", "T_Light", "mat4x4[2]"; declares structs on first use.
   std::string TypeText(const Type& type);
@@ -79,6 +84,7 @@ class StageWriter {
   [[nodiscard]] const std::vector<SamplerBinding>& sampler_order() const { return sampler_order_; }
 
  private:
+  [[nodiscard]] bool IsReported(const Range& range, const std::string& text) const;
   std::string StructName(const ast::Struct& structure);
   std::string DeclareGlobal(const ast::Variable& variable);
   std::string DeclareParameter(const ast::Variable& variable);

@@ -12,8 +12,9 @@ namespace burin::fx {
 
 Storage StorageOf(const Type& numeric) {
   Storage storage;
-  storage.scalar = IsFloating(numeric.scalar) || numeric.is_matrix ? Scalar::kFloat : numeric.scalar;
-  if (numeric.is_matrix && numeric.rows > 1 && numeric.columns > 1) {
+  const bool is_full = numeric.is_matrix && numeric.rows > 1 && numeric.columns > 1;
+  storage.scalar = IsFloating(numeric.scalar) || is_full ? Scalar::kFloat : numeric.scalar;
+  if (is_full) {
     storage.columns = numeric.rows;
     storage.size = numeric.columns;
   } else {

@@ -9,7 +9,7 @@
 namespace burin::fx {
 
 /// How a numeric type without arrays is held. Half and double are float. Matrices are of floats, whatever their scalar;
-/// those of one row or column are vectors, and float1 and float1x1 are scalars.
+/// those of one row or column are vectors, of their own scalar, and float1 and float1x1 are scalars.
 struct Storage {
   Scalar scalar = Scalar::kFloat;  ///< kBool, kInt, kUint or kFloat
   int columns = 1;                 ///< GLSL columns: 1 for scalars and vectors, HLSL's rows for matrices

@@ -16,6 +16,7 @@ namespace burin::fx {
 
 /// Components that one variable may have: larger arrays are an error, so that products of sizes cannot overflow.
 inline constexpr long kMaxVariableComponents = 1 << 20;
+inline constexpr int kMaxStructDepth = 64;
 
 class Checker {
  public:
@@ -51,6 +52,7 @@ class Checker {
  private:
   // declarations
   void CheckStruct(ast::Struct& structure);
+  void MeasureStruct(ast::Struct& structure);
   void CheckTypedef(ast::Typedef& alias);
   void CheckGlobal(ast::Variable& variable);
   void CheckFunction(ast::Function& function);
@@ -59,8 +61,8 @@ class Checker {
   void DeclareVariable(ast::Variable& variable);
   void ReportRedefinition(const std::string& name, const Range& range, const Range* previous);
   void CheckRecursion();
-  bool ReportCycle(const ast::Function& function, std::set<const ast::Function*>& done,
-                   std::vector<const ast::Function*>& stack);
+  bool ReportCycle(const ast::Function& start, std::set<const ast::Function*>& done);
+  void ReportCycle(const std::vector<const ast::Function*>& cycle);
 
   // statements
   void CheckStatement(ast::Statement& statement);
@@ -106,7 +108,12 @@ class Checker {
   void WarnTruncation(const ast::Expression& operand, const Type& to);
   Type CheckUserCall(ast::Expression& e, ast::Call& call, const std::vector<Type>& types);
   Type CheckIntrinsicCall(ast::Expression& e, ast::Call& call, const std::vector<Type>& types);
+  Type CheckMethodCall(ast::Call& call, const std::vector<Type>& types);
   void ReportNoOverload(const ast::Call& call);
+  /// X3004, with a note where the name is declared further down.
+  void ReportUndeclared(const std::string& name, const Range& range, const std::string& near);
+  [[nodiscard]] std::string NearestFunction(const std::string& name) const;
+  [[nodiscard]] const Range* FindLater(const std::string& name, const Location& use) const;
   /// Flattened components of an initialiser list; -1 after an error in it.
   long CheckListElements(ast::InitializerList& list);
 

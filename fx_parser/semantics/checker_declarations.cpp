@@ -91,6 +91,14 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
     if (size == nullptr) {
       // [] takes its size from the initialiser.
       const auto* list = initializer != nullptr ? std::get_if<ast::InitializerList>(&initializer->node) : nullptr;
+      if (list == nullptr && array.empty() && scopes_.is_global() && initializer == nullptr && current_ == nullptr &&
+          element.kind == TypeKind::kStruct) {
+        diagnostics_.Warning(name.range, "B1025",
+                             "an array without a size gets it from a host, which this one has no means to choose: it "
+                             "has one element");
+        array.push_back(1);
+        continue;
+      }
       if (list == nullptr || !array.empty()) {
         diagnostics_.Error(name.range, "X3058", "array dimensions must be explicit");
         return Type{};
@@ -114,7 +122,8 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
   }
   // `typedef float4 F[2]; F x[3];` is three of two.
   type.array.insert(type.array.begin(), array.begin(), array.end());
-  long components = std::max(FlatComponents(element), 1L);
+  const bool is_struct = element.kind == TypeKind::kStruct && element.structure != nullptr;
+  long components = std::max(FlatComponents(element), is_struct ? element.structure->leaves : 1L);
   for (const std::uint32_t size : type.array) {
     components *= size;
     if (components > kMaxVariableComponents) {
@@ -124,6 +133,36 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
     }
   }
   return type;
+}
+
+/// Fills in what it counts; what is too large or too deep loses its members after the error.
+void Checker::MeasureStruct(ast::Struct& structure) {
+  long leaves = 0;   // an empty struct is one too, or a few lines could ask for no end of them
+  bool is_numeric = true;
+  structure.components = 0;
+  for (const auto& member : structure.members) {
+    const Type& type = member->type;
+    const bool is_struct = type.kind == TypeKind::kStruct && type.structure != nullptr;
+    const long own = FlatComponents(type);
+    long elements = 1;
+    for (const std::uint32_t size : type.array) elements *= size;
+    leaves += std::max(own, elements * (is_struct ? std::max(type.structure->leaves, 1L) : 1L));
+    is_numeric = is_numeric && own >= 0;
+    structure.components += std::max(own, 0L);
+    if (is_struct) structure.depth = std::max(structure.depth, type.structure->depth + 1);
+    if (leaves > kMaxVariableComponents) break;
+  }
+  structure.leaves = std::max(leaves, 1L);
+  if (!is_numeric) structure.components = -1;
+  const bool too_deep = structure.depth > kMaxStructDepth;
+  if (leaves <= kMaxVariableComponents && !too_deep) return;
+  diagnostics_.Error(structure.range, too_deep ? "B1201" : "X3059",
+                     too_deep ? "structs are nested more than " + std::to_string(kMaxStructDepth) + " levels deep"
+                              : "struct has more than " + std::to_string(kMaxVariableComponents) + " components");
+  structure.members.clear();
+  structure.components = 0;
+  structure.leaves = 1;
+  structure.depth = 1;
 }
 
 void Checker::CheckStruct(ast::Struct& structure) {
@@ -141,11 +180,11 @@ void Checker::CheckStruct(ast::Struct& structure) {
     const auto [at, inserted] = names.emplace(member->name, member.get());
     if (!inserted) ReportRedefinition(member->name, member->range, &at->second->range);
   }
-  if (FlatComponents(Type{.kind = TypeKind::kStruct, .structure = &structure, .array = {}}) > kMaxVariableComponents) {
-    diagnostics_.Error(structure.range, "X3059",
-                       "struct has more than " + std::to_string(kMaxVariableComponents) + " components");
-    structure.members.clear();
+  for (auto& method : structure.methods) {
+    method->return_type = ResolveType(method->return_type_name);
+    DeclareParameters(*method);
   }
+  MeasureStruct(structure);
   if (structure.name.empty()) return;
   Symbol symbol;
   symbol.structure = &structure;
@@ -192,14 +231,19 @@ void Checker::CheckGlobal(ast::Variable& variable) {
   }
   // The initialiser is checked first: `float x = x;` does not see itself.
   if (variable.initializer != nullptr && variable.type.kind != TypeKind::kError) {
-    const bool numeric = variable.type.kind == TypeKind::kNumeric || variable.type.kind == TypeKind::kStruct ||
-                         variable.type.kind == TypeKind::kString;
-    if (numeric) {
+    const bool is_interface = variable.type.structure != nullptr && variable.type.structure->is_interface;
+    const bool has_value = variable.type.kind == TypeKind::kNumeric || variable.type.kind == TypeKind::kStruct ||
+                           variable.type.kind == TypeKind::kString;
+    if (has_value && !is_interface) {
       const int errors = diagnostics_.error_count();
       CheckInitializer(*variable.initializer, variable.type, variable.name);
       if (!is_static && diagnostics_.error_count() == errors && !EvaluateAs(*variable.initializer, variable.type)) {
-        diagnostics_.Error(variable.initializer->range, "X3011",
-                           "'" + variable.name + "': initial value must be a literal expression");
+        // As if it were static: then it follows what it is computed from.
+        diagnostics_.Warning(variable.initializer->range, "X3011",
+                             "'" + variable.name +
+                                 "': the initial value is no literal expression, so shaders compute it and it is no "
+                                 "parameter");
+        variable.qualifiers |= ast::kStatic;
       }
     }
   }
@@ -259,37 +303,59 @@ void Checker::CheckFunction(ast::Function& function) {
   }
 }
 
-bool Checker::ReportCycle(const ast::Function& function, std::set<const ast::Function*>& done,
-                          std::vector<const ast::Function*>& stack) {
-  if (std::find(stack.begin(), stack.end(), &function) != stack.end()) {
-    Diagnostic& error =
-        diagnostics_.Error(function.range, "X3500", "'" + function.name + "': recursive functions are not allowed");
-    for (auto at = std::find(stack.begin(), stack.end(), &function); at != stack.end(); ++at) {
-      const ast::Function* next = at + 1 != stack.end() ? *(at + 1) : &function;
-      error.notes.push_back({(*at)->range, "'" + (*at)->name + "' calls '" + next->name + "'"});
+/// Depth first with a stack of its own: a file may hold a chain of calls as long as it has functions.
+bool Checker::ReportCycle(const ast::Function& start, std::set<const ast::Function*>& done) {
+  struct Frame {
+    const ast::Function* function;
+    std::vector<const ast::Function*> callees;
+  };
+  std::vector<Frame> stack;
+  std::set<const ast::Function*> open;
+  const auto enter = [&](const ast::Function& function) {
+    const auto& calls = calls_[&function];
+    stack.push_back({&function, {calls.begin(), calls.end()}});
+    open.insert(&function);
+    done.insert(&function);
+  };
+  enter(start);
+  while (!stack.empty()) {
+    Frame& frame = stack.back();
+    if (frame.callees.empty()) {
+      open.erase(frame.function);
+      stack.pop_back();
+      continue;
     }
-    return true;
-  }
-  if (!done.insert(&function).second) return false;
-  stack.push_back(&function);
-  bool found = false;
-  for (const ast::Function* callee : calls_[&function]) {
-    const ast::Function* definition = Definition(*callee);
-    if (definition != nullptr && ReportCycle(*definition, done, stack)) {
-      found = true;
-      break;
+    const ast::Function* callee = Definition(*frame.callees.back());
+    frame.callees.pop_back();
+    if (callee == nullptr) continue;
+    if (open.contains(callee)) {
+      std::vector<const ast::Function*> cycle;
+      for (auto at = stack.rbegin(); at != stack.rend(); ++at) {
+        cycle.insert(cycle.begin(), at->function);
+        if (at->function == callee) break;
+      }
+      ReportCycle(cycle);
+      return true;
     }
+    if (!done.contains(callee)) enter(*callee);
   }
-  stack.pop_back();
-  return found;
+  return false;
+}
+
+void Checker::ReportCycle(const std::vector<const ast::Function*>& cycle) {
+  Diagnostic& error = diagnostics_.Error(cycle.front()->range, "X3500",
+                                         "'" + cycle.front()->name + "': recursive functions are not allowed");
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const ast::Function* next = cycle[(i + 1) % cycle.size()];
+    error.notes.push_back({cycle[i]->range, "'" + cycle[i]->name + "' calls '" + next->name + "'"});
+  }
 }
 
 void Checker::CheckRecursion() {
   std::set<const ast::Function*> done;
   for (const auto& [name, overloads] : functions_) {
     for (const ast::Function* function : overloads) {
-      std::vector<const ast::Function*> stack;
-      if (function->body != nullptr && ReportCycle(*function, done, stack)) return;
+      if (function->body != nullptr && !done.contains(function) && ReportCycle(*function, done)) return;
     }
   }
 }

@@ -73,6 +73,12 @@ bool Checker::RequireConversion(const ast::Expression& expression, const Type& t
 
 bool Checker::RequireLvalue(const ast::Expression& target) {
   if (target.type.kind == TypeKind::kError) return false;
+  // `float4(a, b.xyz) = v` assigns to the parts.
+  if (const auto* parts = std::get_if<ast::Construct>(&target.node); parts != nullptr && parts->arguments.size() > 1) {
+    return std::ranges::all_of(parts->arguments, [&](const auto& part) {
+      return RequireNumeric(*part) && RequireLvalue(*part);
+    });
+  }
   const ast::Variable* root = RootVariable(target);
   if (root == nullptr) {
     diagnostics_.Error(target.range, "X3025", "an assignable variable was expected here");
@@ -126,9 +132,7 @@ Type Checker::Check(ast::Expression& e, ast::Name& n) {
   } else if (functions_.contains(n.name)) {
     diagnostics_.Error(e.range, "X3005", "identifier '" + n.name + "' represents a function, not a variable");
   } else if (!after_syntax_errors_) {
-    diagnostics_.Error(
-        e.range, "X3004",
-        "undeclared identifier '" + n.name + "'" + SuggestionText(NearestName(n.name, scopes_.VariableNames())));
+    ReportUndeclared(n.name, e.range, NearestName(n.name, scopes_.VariableNames()));
   }
   return Type{};
 }
@@ -295,8 +299,11 @@ Type Checker::Check(ast::Expression&, ast::Member& n) {
                            SuggestionText(NearestName(n.name, names)));
     return Type{};
   }
+  if (operand.is_array() && n.name == "length") return ScalarType(Scalar::kInt);   // Cg's
   if (const auto swizzle = ParseSwizzle(operand, n.name)) return SwizzleType(operand, swizzle->size());
-  diagnostics_.Error(n.name_range, "X3018", "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'");
+  diagnostics_.Error(n.name_range, "X3018",
+                     "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'" +
+                         DescribeComponents(operand));
   return Type{};
 }
 

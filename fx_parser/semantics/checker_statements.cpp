@@ -29,7 +29,8 @@ void Checker::CheckCondition(ast::ExpressionPtr& condition, const char* statemen
   if (type.kind == TypeKind::kError) return;
   if (!type.is_numeric() || type.components() != 1) {
     diagnostics_.Error(condition->range, "X3019",
-                       std::string(statement) + " conditional expressions must evaluate to a scalar");
+                       std::string(statement) + " conditional expressions must evaluate to a scalar, not '" +
+                           ToString(type) + "'" + (type.is_numeric() ? "; any() or all() makes one of it" : ""));
   }
 }
 
@@ -64,7 +65,9 @@ void Checker::Visit(ast::DeclarationStatement& declaration, const Range&) {
 }
 
 void Checker::Visit(ast::ExpressionStatement& statement, const Range&) {
-  if (statement.expression != nullptr) CheckExpression(statement.expression);
+  if (statement.expression == nullptr) return;
+  // Whether a technique runs into one of another machine's blocks, Unportable() tells.
+  if (!std::holds_alternative<ast::AsmBlock>(statement.expression->node)) CheckExpression(statement.expression);
 }
 
 void Checker::Visit(ast::If& branch, const Range&) {

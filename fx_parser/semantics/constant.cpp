@@ -248,6 +248,7 @@ class Evaluator {
   Result Visit(const ast::Expression& e, const ast::Cast& n) { return RunAs(*n.operand, e.type); }
 
   Result Visit(const ast::Expression& e, const ast::Member& n) {
+    if (n.operand->type.is_array()) return Number(e.type, n.operand->type.array.front());
     auto value = Run(*n.operand);
     if (!value) return std::nullopt;
     if (value->type.kind == TypeKind::kStruct && value->type.structure != nullptr) {

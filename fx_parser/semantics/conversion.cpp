@@ -109,6 +109,9 @@ std::optional<Conversion> ImplicitConversion(const Type& from, const Type& to) {
       if (from.dimension == Dimension::kUnknown || to.dimension == Dimension::kUnknown)
         return Conversion{kScalarRankCost, false};
       return std::nullopt;
+    case TypeKind::kStruct:  // Cg: a struct is what its interface is
+      if (to.structure != nullptr && to.structure->is_interface) return Conversion{kScalarRankCost, false};
+      return std::nullopt;
     default:
       return std::nullopt;
   }
@@ -172,11 +175,8 @@ long FlatComponents(const Type& type) {
   if (type.kind == TypeKind::kNumeric) {
     count = type.rows * type.columns;
   } else if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
-    for (const auto& member : type.structure->members) {
-      const long inner = FlatComponents(member->type);
-      if (inner < 0) return -1;
-      count += inner;
-    }
+    count = type.structure->components;
+    if (count < 0) return -1;
   } else {
     return -1;
   }

@@ -10,6 +10,29 @@ bool AnyReturns(const std::vector<ast::StatementPtr>& statements) {
   return std::ranges::any_of(statements, [](const auto& s) { return AlwaysReturns(*s); });
 }
 
+/// Whether a break in it leaves the loop whose body it is.
+bool Breaks(const ast::Statement& statement) {
+  const auto breaks = [](const ast::StatementPtr& s) { return s != nullptr && Breaks(*s); };
+  if (std::holds_alternative<ast::Break>(statement.node)) return true;
+  if (const auto* block = std::get_if<ast::Block>(&statement.node))
+    return std::ranges::any_of(block->statements, breaks);
+  if (const auto* branch = std::get_if<ast::If>(&statement.node))
+    return breaks(branch->then_branch) || breaks(branch->else_branch);
+  return false;
+}
+
+bool IsAlwaysTrue(const ast::ExpressionPtr& condition) {
+  if (condition == nullptr) return true;
+  if (const auto* literal = std::get_if<ast::BoolLiteral>(&condition->node)) return literal->value;
+  const auto* number = std::get_if<ast::IntLiteral>(&condition->node);
+  return number != nullptr && number->value != 0;
+}
+
+/// A loop without end is left by a return or not at all.
+bool IsEndless(const ast::ExpressionPtr& condition, const ast::StatementPtr& body) {
+  return IsAlwaysTrue(condition) && body != nullptr && !Breaks(*body);
+}
+
 bool Has(const ast::StatementPtr& statement) { return statement != nullptr && HasReturn(*statement); }
 
 /// A case without a return falls into the next; a break anywhere in it leaves the switch.
@@ -34,7 +57,9 @@ bool AlwaysReturns(const ast::Statement& statement) {
            AlwaysReturns(*branch->else_branch);
   }
   if (const auto* loop = std::get_if<ast::DoWhile>(&statement.node))
-    return loop->body != nullptr && AlwaysReturns(*loop->body);
+    return loop->body != nullptr && (AlwaysReturns(*loop->body) || IsEndless(loop->condition, loop->body));
+  if (const auto* loop = std::get_if<ast::While>(&statement.node)) return IsEndless(loop->condition, loop->body);
+  if (const auto* loop = std::get_if<ast::For>(&statement.node)) return IsEndless(loop->condition, loop->body);
   if (const auto* choice = std::get_if<ast::Switch>(&statement.node)) return SwitchReturns(*choice);
   return false;
 }

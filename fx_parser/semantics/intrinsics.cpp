@@ -18,7 +18,10 @@ constexpr Intrinsic kIntrinsics[] = {
     {"acos", "F:F", "acos"},
     {"all", "b:N", "all"},
     {"any", "b:N", "any"},
+    {"asfloat", "R:N", ""},
     {"asin", "F:F", "asin"},
+    {"asint", "I:N", ""},
+    {"asuint", "U:N", ""},
     {"atan", "F:F", "atan"},
     {"atan2", "F:FF", "burin_atan2"},
     {"ceil", "F:F", "ceil"},
@@ -29,7 +32,11 @@ constexpr Intrinsic kIntrinsics[] = {
     {"cross", "3:33", "cross"},
     {"D3DCOLORtoUBYTE4", "i:4", "burin_ubyte4"},
     {"ddx", "F:F", "dFdx", kDerivative},
+    {"ddx_coarse", "F:F", "dFdxCoarse", kDerivative},
+    {"ddx_fine", "F:F", "dFdxFine", kDerivative},
     {"ddy", "F:F", "dFdy", kDerivative},
+    {"ddy_coarse", "F:F", "dFdyCoarse", kDerivative},
+    {"ddy_fine", "F:F", "dFdyFine", kDerivative},
     {"degrees", "F:F", "degrees"},
     {"determinant", "f:Q", "determinant"},
     {"distance", "f:VV", "distance"},
@@ -104,18 +111,55 @@ constexpr Intrinsic kIntrinsics[] = {
     {"texCUBEproj", "4:c4", "texture($0, ($1).xyz / ($1).w)", kLookup},
     // Cg's look-ups by pixel, and those of its old profiles that say what they return.
     {"texRECT", "4:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"texRECTproj", "4:q4", "texture($0, ($1).xy / ($1).w / vec2(textureSize($0, 0)))", kLookup},
+    {"f1tex1D", "f:pf", "texture($0, $1)", kLookup},
     {"f1tex2D", "f:q2", "texture($0, $1)", kLookup},
+    {"f1tex2Dproj", "f:q4", "textureProj($0, $1)", kLookup},
+    {"f1tex3D", "f:r3", "texture($0, $1)", kLookup},
+    {"f1texCUBE", "f:c3", "texture($0, $1)", kLookup},
+    {"f1texRECT", "f:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"f2tex1D", "2:pf", "texture($0, $1)", kLookup},
     {"f2tex2D", "2:q2", "texture($0, $1)", kLookup},
+    {"f2tex2Dproj", "2:q4", "textureProj($0, $1)", kLookup},
+    {"f2tex3D", "2:r3", "texture($0, $1)", kLookup},
+    {"f2texCUBE", "2:c3", "texture($0, $1)", kLookup},
+    {"f2texRECT", "2:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"f3tex1D", "3:pf", "texture($0, $1)", kLookup},
     {"f3tex2D", "3:q2", "texture($0, $1)", kLookup},
-    {"f4tex2D", "4:q2", "texture($0, $1)", kLookup},
-    {"h1tex2D", "f:q2", "texture($0, $1)", kLookup},
-    {"h2tex2D", "2:q2", "texture($0, $1)", kLookup},
-    {"h3tex2D", "3:q2", "texture($0, $1)", kLookup},
-    {"h4tex2D", "4:q2", "texture($0, $1)", kLookup},
+    {"f3tex2Dproj", "3:q4", "textureProj($0, $1)", kLookup},
+    {"f3tex3D", "3:r3", "texture($0, $1)", kLookup},
     {"f3texCUBE", "3:c3", "texture($0, $1)", kLookup},
+    {"f3texRECT", "3:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"f4tex1D", "4:pf", "texture($0, $1)", kLookup},
+    {"f4tex2D", "4:q2", "texture($0, $1)", kLookup},
+    {"f4tex2Dproj", "4:q4", "textureProj($0, $1)", kLookup},
+    {"f4tex3D", "4:r3", "texture($0, $1)", kLookup},
     {"f4texCUBE", "4:c3", "texture($0, $1)", kLookup},
+    {"f4texRECT", "4:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"h1tex1D", "f:pf", "texture($0, $1)", kLookup},
+    {"h1tex2D", "f:q2", "texture($0, $1)", kLookup},
+    {"h1tex2Dproj", "f:q4", "textureProj($0, $1)", kLookup},
+    {"h1tex3D", "f:r3", "texture($0, $1)", kLookup},
+    {"h1texCUBE", "f:c3", "texture($0, $1)", kLookup},
+    {"h1texRECT", "f:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"h2tex1D", "2:pf", "texture($0, $1)", kLookup},
+    {"h2tex2D", "2:q2", "texture($0, $1)", kLookup},
+    {"h2tex2Dproj", "2:q4", "textureProj($0, $1)", kLookup},
+    {"h2tex3D", "2:r3", "texture($0, $1)", kLookup},
+    {"h2texCUBE", "2:c3", "texture($0, $1)", kLookup},
+    {"h2texRECT", "2:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"h3tex1D", "3:pf", "texture($0, $1)", kLookup},
+    {"h3tex2D", "3:q2", "texture($0, $1)", kLookup},
+    {"h3tex2Dproj", "3:q4", "textureProj($0, $1)", kLookup},
+    {"h3tex3D", "3:r3", "texture($0, $1)", kLookup},
     {"h3texCUBE", "3:c3", "texture($0, $1)", kLookup},
+    {"h3texRECT", "3:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
+    {"h4tex1D", "4:pf", "texture($0, $1)", kLookup},
+    {"h4tex2D", "4:q2", "texture($0, $1)", kLookup},
+    {"h4tex2Dproj", "4:q4", "textureProj($0, $1)", kLookup},
+    {"h4tex3D", "4:r3", "texture($0, $1)", kLookup},
     {"h4texCUBE", "4:c3", "texture($0, $1)", kLookup},
+    {"h4texRECT", "4:q2", "texture($0, ($1) / vec2(textureSize($0, 0)))", kLookup},
     {"transpose", "m:M", "transpose"},
     {"trunc", "F:F", "trunc"},
 };
@@ -238,6 +282,10 @@ Type ResultType(char letter, const std::optional<Type>& generic) {
       return WithScalar(*generic, Scalar::kBool);
     case 'I':
       return WithScalar(*generic, Scalar::kInt);
+    case 'U':
+      return WithScalar(*generic, Scalar::kUint);
+    case 'R':
+      return WithScalar(*generic, Scalar::kFloat);
     default:
       return FixedType(letter);
   }
@@ -307,6 +355,10 @@ std::string DescribeIntrinsic(const Intrinsic& intrinsic) {
         return "bool<>";
       case 'I':
         return "int<>";
+      case 'U':
+        return "uint<>";
+      case 'R':
+        return "float<>";
       case 'V':
         return "vector<>";
       case 'M':

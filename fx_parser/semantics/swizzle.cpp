@@ -48,6 +48,22 @@ Type SwizzleType(const Type& type, std::size_t components) {
   return components == 1 ? ScalarType(type.scalar) : VectorType(type.scalar, static_cast<int>(components));
 }
 
+std::string DescribeComponents(const Type& type) {
+  if (!type.is_numeric()) return {};
+  if (type.is_matrix) {
+    const auto last = [&](int base) {
+      return std::to_string(type.rows - 1 + base) + std::to_string(type.columns - 1 + base);
+    };
+    return ": its components are _m00 to _m" + last(0) + " or _11 to _" + last(1);
+  }
+  const auto list = [&](std::string_view letters) {
+    std::string text;
+    for (int i = 0; i < type.columns; ++i) text += (i > 0 ? ", " : "") + std::string(1, letters[static_cast<std::size_t>(i)]);
+    return text;
+  };
+  return (type.columns == 1 ? ": its component is " : ": its components are ") + list("xyzw") + " or " + list("rgba");
+}
+
 bool HasDuplicates(const std::vector<SwizzleComponent>& swizzle) {
   for (std::size_t i = 0; i < swizzle.size(); ++i) {
     if (std::find(swizzle.begin() + static_cast<std::ptrdiff_t>(i) + 1, swizzle.end(), swizzle[i]) != swizzle.end())

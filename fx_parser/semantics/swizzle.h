@@ -22,6 +22,9 @@ struct SwizzleComponent {
 /// A scalar for one component, a vector for more.
 [[nodiscard]] Type SwizzleType(const Type& type, std::size_t components);
 
+/// For messages: ": its components are x, y or r, g"; empty for what has none.
+[[nodiscard]] std::string DescribeComponents(const Type& type);
+
 [[nodiscard]] bool HasDuplicates(const std::vector<SwizzleComponent>& swizzle);
 
 }  // namespace burin::fx

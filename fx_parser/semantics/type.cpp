@@ -58,6 +58,8 @@ std::string BaseName(const Type& type) {
       return "pixelshader";
     case TypeKind::kStateBlock:
       return "stateblock";
+    case TypeKind::kObject:
+      return "object of shader model 4";
     case TypeKind::kStruct:
       if (type.structure == nullptr || type.structure->name.empty()) return "struct <unnamed>";
       return type.structure->name;

@@ -31,6 +31,7 @@ struct Children {
     WalkExpression(n.if_false, visit);
   }
   void operator()(const ast::Call& n) const {
+    WalkExpression(n.object, visit);
     for (const auto& argument : n.arguments) WalkExpression(argument, visit);
   }
   void operator()(const ast::Construct& n) const {
@@ -102,8 +103,12 @@ const ast::Variable* RootVariable(const ast::Expression& expression) {
 }
 
 void AppendWritten(const ast::Expression& expression, std::set<const ast::Variable*>& written) {
-  const auto add = [&](const ast::Expression& target) {
-    if (const ast::Variable* root = RootVariable(target)) written.insert(root);
+  const std::function<void(const ast::Expression&)> add = [&](const ast::Expression& target) {
+    if (const auto* parts = std::get_if<ast::Construct>(&target.node)) {
+      for (const auto& part : parts->arguments) add(*part);
+    } else if (const ast::Variable* root = RootVariable(target)) {
+      written.insert(root);
+    }
   };
   if (const auto* assign = std::get_if<ast::Assign>(&expression.node)) add(*assign->target);
   if (const auto* unary = std::get_if<ast::Unary>(&expression.node);

@@ -23,7 +23,7 @@ void AppendWritten(const ast::Expression& expression, std::set<const ast::Variab
 /// Every variable that any function of the module writes to.
 [[nodiscard]] std::set<const ast::Variable*> WrittenVariables(const ast::Module& module);
 
-/// The variable at the bottom of an lvalue; null when there is none.
+/// The variable at the bottom of an lvalue; null when there is none, and of constructors, which may have several.
 [[nodiscard]] const ast::Variable* RootVariable(const ast::Expression& expression);
 
 }  // namespace burin::fx

@@ -80,6 +80,7 @@ struct Call {
   std::vector<ExpressionPtr> arguments;
   const Function* function = nullptr;                   ///< resolved by semantics; null for an intrinsic
   int intrinsic = -1;                                   ///< index in the intrinsics table
+  int method = -1;                                      ///< of an object: index in the methods table
 };
 struct Construct { TypeName type; std::vector<ExpressionPtr> arguments; };   ///< float4(a, b)
 struct Cast { TypeName type; std::vector<ExpressionPtr> array_sizes; ExpressionPtr operand; };
@@ -132,12 +133,6 @@ struct Variable {
   Type type;                    ///< with arrays; filled by semantics
 };
 
-struct Struct {
-  Range range;
-  std::string name;             ///< empty if anonymous
-  std::vector<std::unique_ptr<Variable>> members;
-};
-
 struct Typedef {
   Range range;
   std::string name;
@@ -156,6 +151,19 @@ struct Function {
   std::vector<Annotation> annotations;
   StatementPtr body;            ///< null for a prototype
   Type return_type;             ///< filled by semantics
+};
+
+/// Also Cg's interfaces.
+struct Struct {
+  Range range;
+  std::string name;             ///< empty if anonymous
+  std::vector<std::unique_ptr<Variable>> members;
+  std::vector<std::unique_ptr<Function>> methods;   ///< their heads: no shader of ours can call them
+  bool is_interface = false;
+  // Filled by semantics, so that no one counts through structs inside structs again.
+  long components = 0;          ///< numeric ones; -1 when something in it is not numeric
+  long leaves = 1;              ///< members of all kinds, those of inner structs too
+  int depth = 1;                ///< of structs inside one another
 };
 
 // ---- statements -------------------------------------------------------------------------------------------------

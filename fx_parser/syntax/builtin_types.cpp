@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fx_parser/syntax/builtin_types.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "fx_parser/syntax/token.h"
 
 namespace burin::fx {
@@ -51,6 +54,15 @@ constexpr ObjectName kObjects[] = {
     {"RasterizerState", TypeKind::kStateBlock},
 };
 
+// Direct3D 10 and 11's and those of D3DX's fragment linker. Their case counts: `buffer` is a name like any other.
+constexpr std::string_view kForeignObjects[] = {
+    "Texture1DArray",    "Texture2DArray",    "TextureCubeArray",       "Texture2DMS",         "Texture2DMSArray",
+    "Buffer",            "StructuredBuffer",  "ByteAddressBuffer",      "RWBuffer",            "RWTexture1D",
+    "RWTexture2D",       "RWTexture3D",       "RWTexture1DArray",       "RWTexture2DArray",    "RWStructuredBuffer",
+    "RWByteAddressBuffer", "ConsumeStructuredBuffer", "AppendStructuredBuffer", "ConstantBuffer", "PointStream",
+    "LineStream",        "TriangleStream",    "InputPatch",             "OutputPatch",         "GeometryShader",
+    "HullShader",        "DomainShader",      "ComputeShader",          "vertexfragment",      "pixelfragment"};
+
 Type Numeric(Scalar scalar) {
   Type type;
   type.kind = TypeKind::kNumeric;
@@ -99,6 +111,10 @@ std::optional<Type> FindBuiltinType(std::string_view name) {
     if (!EqualsIgnoringCase(object.name, name)) continue;
     type.kind = object.kind;
     type.dimension = object.dimension;
+    return type;
+  }
+  if (std::ranges::find(kForeignObjects, name) != std::end(kForeignObjects)) {
+    type.kind = TypeKind::kObject;
     return type;
   }
   type = Numeric(Scalar::kFloat);

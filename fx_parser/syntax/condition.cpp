@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fx_parser/syntax/condition.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -204,13 +206,23 @@ class Evaluator {
       ++position_;
       return static_cast<std::int64_t>(value->value);
     }
-    if (token.kind == TokenKind::kFloat) return Fail("a condition takes whole numbers, not " + Describe(token));
+    if (token.kind == TokenKind::kFloat) return WholePart(token);
     if (token.Is("defined")) return Fail("expected a macro name after 'defined'");
     if (token.kind == TokenKind::kIdentifier) {
       ++position_;
       return token.text == "true" ? 1 : 0;
     }
     return Fail("unexpected " + Describe(token) + " in a condition");
+  }
+
+  std::int64_t WholePart(const Token& token) {
+    constexpr double kLimit = 9e18;
+    ++position_;
+    const double whole = std::trunc(std::clamp(ParseFloat(token.text).value, 0.0, kLimit));
+    const auto value = static_cast<std::int64_t>(whole);
+    diagnostics_.Warning(token.range(), "B1007",
+                         "a condition takes whole numbers: " + Describe(token) + " counts as " + std::to_string(value));
+    return value;
   }
 
   const std::vector<Token>& tokens_;

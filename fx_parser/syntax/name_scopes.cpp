@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fx_parser/syntax/name_scopes.h"
 
+#include <algorithm>
+
 namespace burin::fx {
 
 void NameScopes::Pop() {
@@ -21,6 +23,26 @@ void NameScopes::Declare(const std::string& name, bool is_type) {
 bool NameScopes::IsType(std::string_view name) const {
   const auto found = names_.find(name);
   return found != names_.end() && found->second.back();
+}
+
+bool NameScopes::IsLocal(std::string_view name) const {
+  for (std::size_t i = 1; i < scopes_.size(); ++i) {
+    if (std::ranges::find(scopes_[i], name) != scopes_[i].end()) return true;
+  }
+  return false;
+}
+
+std::string NameScopes::Resolve(std::string_view name, std::string_view space) const {
+  if (name.starts_with("::")) return std::string(name.substr(2));
+  if (space.empty() || IsLocal(name)) return std::string(name);
+  while (!space.empty()) {
+    std::string whole = std::string(space) + std::string(name);
+    if (names_.contains(whole)) return whole;
+    space.remove_suffix(2);
+    const std::size_t outer = space.rfind("::");
+    space = space.substr(0, outer == std::string_view::npos ? 0 : outer + 2);
+  }
+  return std::string(name);
 }
 
 std::vector<std::string> NameScopes::TypeNames() const {

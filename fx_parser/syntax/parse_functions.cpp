@@ -10,7 +10,7 @@ std::unique_ptr<ast::Function> Parser::ParseFunction(Specifiers& specifiers) {
   function->qualifiers = specifiers.qualifiers;
   function->return_type_name = std::move(specifiers.type);
   function->range = Peek().range();
-  function->name = Advance().text;
+  function->name = space_ + std::string(Advance().text);
   names_.Declare(function->name, false);
   names_.Push();
   const bool has_head = ParseParameters(*function) &&

@@ -4,6 +4,11 @@
 #include "fx_parser/syntax/parser.h"
 
 namespace burin::fx {
+namespace {
+
+constexpr int kMaxNamespaces = 16;   // inside one another
+
+}  // namespace
 
 ast::Module Parser::ParseModule() {
   ast::Module module;
@@ -38,7 +43,10 @@ void Parser::ParseTopLevel(ast::Module& module) {
   } else if (IsWord("namespace") && Is(TokenKind::kIdentifier, 1)) {
     parsed = ParseNamespace(module);
   } else if (IsWord("interface") && Is(TokenKind::kIdentifier, 1) && Is(TokenKind::kLeftBrace, 2)) {
-    parsed = RefuseInterface();
+    std::unique_ptr<ast::Struct> structure = ParseStruct();
+    parsed = structure != nullptr;
+    if (structure) module.declarations.emplace_back(std::move(structure));
+    Accept(TokenKind::kSemicolon);
   } else {
     parsed = ParseGlobal(module);
   }
@@ -50,7 +58,7 @@ void Parser::ParseTopLevel(ast::Module& module) {
 bool Parser::ParseGlobal(ast::Module& module) {
   std::vector<std::string> attributes;   // of Direct3D 10 and later entry points
   if (Is(TokenKind::kLeftBracket) && !ParseAttributes(attributes)) return false;
-  if (!Is(TokenKind::kIdentifier)) {
+  if (!Is(TokenKind::kIdentifier) && !Is(TokenKind::kScope)) {
     ReportUnexpected("a declaration");
     return false;
   }
@@ -86,6 +94,7 @@ bool Parser::ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs,
   do {
     auto entry = std::make_unique<ast::Typedef>();
     if (!ExpectName("a name for the type", entry->name, entry->range)) return false;
+    if (!function_brace_) entry->name.insert(0, space_);
     entry->type_name = specifiers.type;
     if (!ParseArraySizes(entry->array_sizes)) return false;
     names_.Declare(entry->name, true);
@@ -106,6 +115,7 @@ bool Parser::ParseBuffer(ast::Module& module) {
   if (!Expect(TokenKind::kLeftBrace, "'{' to begin the buffer")) return false;
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
     const std::size_t first = position_;
+    if (AtTechnique() || (IsWord("struct") && Peek().begin.column == 1)) break;   // the '}' is missing
     if (!ParseGlobal(module)) SkipStatement(first);
     if (position_ == first) Advance();
   }
@@ -114,27 +124,22 @@ bool Parser::ParseBuffer(ast::Module& module) {
   return true;
 }
 
-// Cg chooses the functions behind an interface as it runs, which no shader of ours can.
-bool Parser::RefuseInterface() {
-  Report(Join(Peek().range(), Peek(1).range()), "Cg's interfaces are not supported", "B1203");
-  Advance();
-  names_.Declare(std::string(Advance().text), true);
-  position_ = FindClosing(position_);
-  Accept(TokenKind::kRightBrace);
-  Accept(TokenKind::kSemicolon);
-  return true;
-}
-
+// ReShade FX's; names are declared and looked up whole, so that nothing after the parser knows of namespaces.
 bool Parser::ParseNamespace(ast::Module& module) {
-  Report(Peek().range(), "namespaces belong to ReShade FX, not to Direct3D 9 effects", "B1202");
   Advance();
-  Advance();
+  const std::string outer = space_;
+  space_ += std::string(Advance().text) + "::";
   const Range opening = Peek().range();
-  if (!Expect(TokenKind::kLeftBrace, "'{' to begin the namespace")) return false;
-  if (statement_depth_ >= 16) return ReportTooDeep();
-  const Nesting nesting(statement_depth_);
-  while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) ParseTopLevel(module);
-  return ExpectClosing(TokenKind::kRightBrace, "'}' to end the namespace", opening);
+  bool parsed = Expect(TokenKind::kLeftBrace, "'{' to begin the namespace");
+  if (parsed && statement_depth_ >= kMaxNamespaces) parsed = ReportTooDeep();
+  if (parsed) {
+    const Nesting nesting(statement_depth_);
+    while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) ParseTopLevel(module);
+    parsed = ExpectClosing(TokenKind::kRightBrace, "'}' to end the namespace", opening);
+    Accept(TokenKind::kSemicolon);
+  }
+  space_ = outer;
+  return parsed;
 }
 
 }  // namespace burin::fx

@@ -82,7 +82,7 @@ ast::ExpressionPtr Parser::ParseIdentifier() {
     Advance();
     return Make(first, ast::BoolLiteral{value});
   }
-  if (IsEffectWord("compile") && word_follows) return ParseCompile();
+  if ((IsEffectWord("compile") || IsEffectWord("compile_fragment")) && word_follows) return ParseCompile();
   if (IsEffectWord("CompileShader") && Is(TokenKind::kLeftParen, 1)) return ParseCompileShader();
   if (IsEffectWord("asm") && Is(TokenKind::kLeftBrace, 1)) return ParseAsm();
   const bool is_states = IsEffectWord("sampler_state") || IsEffectWord("stateblock_state");
@@ -117,6 +117,7 @@ bool Parser::ParseQualifiedName(const std::string& what, std::string& name, Rang
     Advance();
     name += "::" + std::string(Advance().text);
   }
+  if (!space_.empty() || position_ > first + 1) name = names_.Resolve(name, space_);
   range = RangeFrom(first);
   return true;
 }
@@ -165,7 +166,12 @@ ast::ExpressionPtr Parser::ParseCompile() {
   const std::size_t first = position_;
   Advance();
   ast::Compile compile;
+  if (Is(TokenKind::kLeftParen, 1)) {
+    Report(Peek().range(), "expected a shader profile such as ps_2_0 before '" + std::string(Peek().text) + "'");
+    return nullptr;
+  }
   if (!ExpectName("a shader profile after 'compile'", compile.profile, compile.profile_range)) return nullptr;
+  Accept(TokenKind::kString);   // CgFX: options for its compiler
   if (!ParseEntryPoint(compile)) return nullptr;
   return Make(first, std::move(compile));
 }

@@ -30,6 +30,8 @@ ast::StatementPtr Parser::ParseStatementKind() {
   while (Is(TokenKind::kLeftBracket)) {
     if (!ParseAttributes(attributes)) return nullptr;
   }
+  if (Is(TokenKind::kLeftBrace)) return ParseBlock();   // [isolate] { ... }
+  if (IsEffectWord("asm") && Is(TokenKind::kLeftBrace, 1)) return ParseAsmStatement();
   if (IsWord("if")) return ParseIf(std::move(attributes));
   if (IsWord("for")) return ParseFor(std::move(attributes));
   if (IsWord("while")) return ParseWhile(std::move(attributes));
@@ -93,6 +95,14 @@ ast::StatementPtr Parser::ParseExpressionStatement() {
   ast::ExpressionPtr expression = ParseExpression();
   if (!expression || !ExpectSemicolon("expression")) return nullptr;
   return MakeStatement(first, ast::ExpressionStatement{std::move(expression)});
+}
+
+ast::StatementPtr Parser::ParseAsmStatement() {
+  const std::size_t first = position_;
+  ast::ExpressionPtr block = ParseAsm();
+  if (!block) return nullptr;
+  Accept(TokenKind::kSemicolon);
+  return MakeStatement(first, ast::ExpressionStatement{std::move(block)});
 }
 
 // A technique or a function's definition inside a function: the '}' before it is missing. The parser goes on at

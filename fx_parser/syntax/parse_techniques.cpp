@@ -37,7 +37,9 @@ std::unique_ptr<ast::Technique> Parser::ParseTechnique() {
     if (Accept(TokenKind::kSemicolon)) continue;
     if (AtTechnique()) break;   // a '}' is missing
     if (!IsEffectWord("pass")) {
-      ReportUnexpected("'pass' or '}' in " + Named("technique", technique->name));
+      const bool is_state = Is(TokenKind::kIdentifier) && Is(TokenKind::kAssign, 1);
+      ReportUnexpected("'pass' or '}' in " + Named("technique", technique->name) +
+                       (is_state ? " (states stand inside a pass)" : ""));
       SkipStatement(first);
     } else if (!ParsePass(*technique)) {
       SkipStatement(first);

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "fx_parser/syntax/builtin_types.h"
+#include "fx_parser/syntax/glsl_words.h"
 #include "fx_parser/syntax/literal.h"
 #include "fx_parser/syntax/parser.h"
 
@@ -62,18 +63,41 @@ bool IsStatementWord(std::string_view word) {
 
 // `line`, `point`, `sample` ... are names too: qualifiers only where a type or another qualifier follows.
 bool Parser::StartsQualifier(std::size_t ahead) const {
+  if (IsTypeName(Peek(ahead).text)) return false;
   return FindQualifier(Peek(ahead)) && (Is(TokenKind::kIdentifier, ahead + 1));
 }
 
 bool Parser::StartsType(std::size_t ahead) const {
   const Token& token = Peek(ahead);
+  if (Is(TokenKind::kScope, ahead + 1) || token.kind == TokenKind::kScope) return StartsQualifiedType(ahead, nullptr);
   if (token.kind != TokenKind::kIdentifier) return false;
-  return token.text == "struct" || token.text == "unsigned" || names_.IsType(token.text) ||
+  return token.text == "struct" || token.text == "unsigned" || IsTypeName(token.text) ||
          FindBuiltinType(token.text).has_value();
+}
+
+bool Parser::IsTypeName(std::string_view name) const {
+  return space_.empty() ? names_.IsType(name) : names_.IsType(names_.Resolve(name, space_));
+}
+
+// `outer::Type`; `end` is then where it ends, counted as `ahead` is.
+bool Parser::StartsQualifiedType(std::size_t ahead, std::size_t* end) const {
+  std::string name;
+  if (Is(TokenKind::kScope, ahead)) name = Peek(ahead++).text;
+  while (Is(TokenKind::kIdentifier, ahead)) {
+    name += Peek(ahead++).text;
+    if (!Is(TokenKind::kScope, ahead)) break;
+    name += Peek(ahead++).text;
+  }
+  if (end) *end = ahead;
+  return names_.IsType(names_.Resolve(name, space_));
 }
 
 // In a function's body. `Foo bar` is a declaration whose type is unknown, `texture = x` is an expression.
 bool Parser::StartsDeclaration() const {
+  if (Is(TokenKind::kScope) || Is(TokenKind::kScope, 1)) {
+    std::size_t end = 0;
+    return StartsQualifiedType(0, &end) && Is(TokenKind::kIdentifier, end);
+  }
   if (!Is(TokenKind::kIdentifier) || IsStatementWord(Peek().text)) return false;
   if (IsWord("struct") || IsWord("typedef")) return true;
   if (Is(TokenKind::kIdentifier, 1)) return true;
@@ -82,13 +106,17 @@ bool Parser::StartsDeclaration() const {
 }
 
 bool Parser::StartsCast() const {
+  if (Is(TokenKind::kScope, 1) || Is(TokenKind::kScope, 2)) {
+    std::size_t end = 0;
+    return StartsQualifiedType(1, &end) && Is(TokenKind::kRightParen, end);
+  }
   if (!StartsType(1) || IsWord("struct", 1)) return false;
   const bool takes_arguments = IsEffectWord("vector", 1) || IsEffectWord("matrix", 1);
   if (takes_arguments && Is(TokenKind::kLess, 2)) return true;
   if (IsWord("unsigned", 1)) return true;
   if (!Is(TokenKind::kRightParen, 2) && !Is(TokenKind::kLeftBracket, 2)) return false;
   if (Is(TokenKind::kLeftBracket, 2) && !Is(TokenKind::kInteger, 3)) return false;
-  if (names_.IsType(Peek(1).text)) return true;
+  if (IsTypeName(Peek(1).text)) return true;
   return FindBuiltinType(Peek(1).text)->kind == TypeKind::kNumeric;
 }
 
@@ -130,7 +158,7 @@ bool Parser::ParseTypeName(ast::TypeName& type, std::uint32_t qualifiers) {
     type.range = RangeFrom(first);
     return true;
   }
-  if (!Is(TokenKind::kIdentifier)) {
+  if (!Is(TokenKind::kIdentifier) && !Is(TokenKind::kScope)) {
     ReportUnexpected("a type");
     return false;
   }
@@ -150,17 +178,24 @@ bool Parser::ParseTypeName(ast::TypeName& type, std::uint32_t qualifiers) {
   return true;
 }
 
-// `vector<float, 3>`, `matrix<half, 4, 3>`; Direct3D 10's `Texture2D<float4>` says nothing more.
+// `vector<float, 3>`, `matrix<half, 4, 3>`; Direct3D 10's `Texture2D<float4>`, whose element its look-ups give.
 bool Parser::ParseTypeArguments(ast::TypeName& type) {
   if (!Is(TokenKind::kLess)) return true;
   if (EqualsIgnoringCase(type.name, "vector") || EqualsIgnoringCase(type.name, "matrix")) {
     return ParseVectorArguments(type);
   }
-  const bool is_element = StartsType(1) && Is(TokenKind::kGreater, 2);
-  if (type.type.kind != TypeKind::kTexture || !is_element) return true;
-  Advance();
-  Advance();
-  Advance();
+  const bool takes_element = type.type.kind == TypeKind::kTexture || type.type.kind == TypeKind::kObject;
+  if (!takes_element || !StartsType(1)) return true;
+  std::size_t close = 2;
+  if (Is(TokenKind::kComma, close)) close += 2;   // the samples of a Texture2DMS, the points of a patch
+  if (!Is(TokenKind::kGreater, close)) return true;
+  const std::optional<Type> element = FindBuiltinType(Peek(1).text);
+  if (type.type.kind == TypeKind::kTexture && element && element->kind == TypeKind::kNumeric) {
+    type.type.is_vector = true;
+    type.type.columns = element->columns;
+    type.type.scalar = element->scalar;
+  }
+  position_ += close + 1;
   return true;
 }
 
@@ -197,7 +232,9 @@ bool Parser::ReportUnknownType(ast::TypeName& type) {
   std::vector<std::string> names = names_.TypeNames();
   std::ranges::move(BuiltinTypeNames(), std::back_inserter(names));
   std::string text = "unknown type '" + type.name + "'";
-  if (const std::string near = NearestName(type.name, names); !near.empty()) text += "; did you mean '" + near + "'?";
+  std::string near(HlslWordFor(type.name));
+  if (near.empty()) near = NearestName(type.name, names);
+  if (!near.empty()) text += "; did you mean '" + near + "'?";
   Report(type.range, text);
   type.type.kind = TypeKind::kError;
   return false;

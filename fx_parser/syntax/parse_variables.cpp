@@ -22,6 +22,7 @@ bool Parser::ParseVariables(const Specifiers& specifiers, bool is_global, Variab
 std::unique_ptr<ast::Variable> Parser::ParseVariable(const Specifiers& specifiers, bool is_global) {
   auto variable = std::make_unique<ast::Variable>();
   if (!ExpectName("a name after type '" + specifiers.type.name + "'", variable->name, variable->range)) return nullptr;
+  if (is_global) variable->name.insert(0, space_);
   variable->qualifiers = specifiers.qualifiers;
   variable->type_name = specifiers.type;
   variable->is_global = is_global;
@@ -84,25 +85,57 @@ bool Parser::ParseAnnotations(std::vector<ast::Annotation>& annotations) {
   const Range opening = Advance().range();
   while (!Is(TokenKind::kGreater) && !Is(TokenKind::kGreaterEqual)) {
     if (Accept(TokenKind::kSemicolon)) continue;
-    ast::Annotation annotation;
-    if (!ParseAnnotation(annotation)) return false;
+    const std::size_t first = position_;
+    if (!ParseAnnotationList(annotations)) return SkipAnnotations(first);
     const bool last = Is(TokenKind::kGreater) || Is(TokenKind::kGreaterEqual);
-    if (!last && !ExpectSemicolon("annotation '" + annotation.name + "'")) return false;
-    annotations.push_back(std::move(annotation));
+    if (!last && !ExpectSemicolon("annotation '" + annotations.back().name + "'")) return SkipAnnotations(first);
   }
   return ExpectClosingAngle(opening);
 }
 
-bool Parser::ParseAnnotation(ast::Annotation& annotation) {
-  const Setting angle(stop_at_greater_, true);
+// Behind the '>' that ends the annotations, if it can be told: the declaration then goes on as if they were right.
+bool Parser::SkipAnnotations(std::size_t first) {
+  for (std::size_t i = first; i + 1 < tokens_.size(); ++i) {
+    const TokenKind kind = tokens_[i].kind;
+    if (kind == TokenKind::kRightBrace || kind == TokenKind::kLeftBrace) return false;
+    if (kind != TokenKind::kGreater) continue;
+    const TokenKind next = tokens_[i + 1].kind;
+    const bool ends = next == TokenKind::kSemicolon || next == TokenKind::kAssign || next == TokenKind::kLeftBrace ||
+                      next == TokenKind::kComma;
+    if (!ends) continue;
+    position_ = i + 1;
+    return true;
+  }
+  return false;
+}
+
+// `int width = 16, height = 16`: several of one type.
+bool Parser::ParseAnnotationList(std::vector<ast::Annotation>& annotations) {
+  ast::TypeName type;
+  if (!ParseAnnotationType(type)) return false;
+  do {
+    ast::Annotation annotation;
+    annotation.type = type;
+    if (!ParseAnnotation(annotation)) return false;
+    annotations.push_back(std::move(annotation));
+  } while (Accept(TokenKind::kComma));
+  return true;
+}
+
+bool Parser::ParseAnnotationType(ast::TypeName& type) {
   if (Is(TokenKind::kIdentifier) && Is(TokenKind::kAssign, 1)) {
-    annotation.type.type.kind = TypeKind::kError;   // ReShade's annotations have no types
-  } else if (!Is(TokenKind::kIdentifier)) {
+    type.type.kind = TypeKind::kError;   // ReShade's annotations have no types
+    return true;
+  }
+  if (!Is(TokenKind::kIdentifier)) {
     ReportUnexpected("an annotation or '>'");
     return false;
-  } else if (!ParseTypeName(annotation.type, ParseQualifiers())) {
-    return false;
   }
+  return ParseTypeName(type, ParseQualifiers());
+}
+
+bool Parser::ParseAnnotation(ast::Annotation& annotation) {
+  const Setting angle(stop_at_greater_, true);
   if (!ExpectName("the annotation's name", annotation.name, annotation.name_range)) return false;
   if (!ParseArraySizes(annotation.array_sizes)) return false;
   if (!Accept(TokenKind::kAssign)) return true;

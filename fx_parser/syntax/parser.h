@@ -65,6 +65,8 @@ class Parser {
   };
   [[nodiscard]] bool StartsQualifier(std::size_t ahead) const;
   [[nodiscard]] bool StartsType(std::size_t ahead) const;
+  [[nodiscard]] bool IsTypeName(std::string_view name) const;
+  [[nodiscard]] bool StartsQualifiedType(std::size_t ahead, std::size_t* end) const;
   [[nodiscard]] bool StartsDeclaration() const;
   [[nodiscard]] bool StartsCast() const;
   std::uint32_t ParseQualifiers();
@@ -80,12 +82,12 @@ class Parser {
   bool ParseGlobal(ast::Module& module);
   bool ParseTypedef(std::vector<std::unique_ptr<ast::Typedef>>& typedefs, std::unique_ptr<ast::Struct>& structure);
   bool ParseBuffer(ast::Module& module);
-  bool RefuseInterface();
   bool ParseNamespace(ast::Module& module);
 
   // parse_structs.cpp
   std::unique_ptr<ast::Struct> ParseStruct();
   bool ParseMember(ast::Struct& structure);
+  bool ParseMethod(ast::Struct& structure, Specifiers& specifiers);
   [[nodiscard]] bool AtOuterFunction() const;
 
   // parse_variables.cpp
@@ -96,7 +98,10 @@ class Parser {
   bool ParseArraySizes(std::vector<ast::ExpressionPtr>& sizes);
   bool ParseSemantics(std::string& semantic, Range& range, std::vector<std::string>* registers);
   bool ParseAnnotations(std::vector<ast::Annotation>& annotations);
+  bool ParseAnnotationList(std::vector<ast::Annotation>& annotations);
+  bool ParseAnnotationType(ast::TypeName& type);
   bool ParseAnnotation(ast::Annotation& annotation);
+  bool SkipAnnotations(std::size_t first);
   bool ExpectClosingAngle(const Range& opening);
 
   // parse_functions.cpp
@@ -111,6 +116,7 @@ class Parser {
   void ParseBlockContents(std::vector<ast::StatementPtr>& statements);
   ast::StatementPtr ParseDeclarationStatement();
   ast::StatementPtr ParseExpressionStatement();
+  ast::StatementPtr ParseAsmStatement();
   bool CheckMissingBrace(std::size_t declaration);
   bool ParseAttributes(std::vector<std::string>& attributes);
   ast::StatementPtr ParseIf(std::vector<std::string> attributes);
@@ -150,6 +156,7 @@ class Parser {
   bool ParseEntryPoint(ast::Compile& compile);
   ast::ExpressionPtr ParseAsm();
   bool ParseArguments(std::vector<ast::ExpressionPtr>& arguments);
+  /// A name as it was declared, whole.
   bool ParseQualifiedName(const std::string& what, std::string& name, Range& range);
   template <class Node>
   ast::ExpressionPtr Make(std::size_t first, Node node);
@@ -204,6 +211,7 @@ class Parser {
   const Token* function_brace_ = nullptr;    // the '{' of the function at hand
   std::string function_name_;
   NameScopes names_;
+  std::string space_;                        // the namespace at hand, "outer::inner::"
 };
 
 template <class Node>

@@ -61,12 +61,25 @@ float4 VS(float4 p : POSITION, out float4 t : TEXCOORD0) : POSITION
 
 float4 CgLookups(float4 t)
 {
-    float4 r = texRECT(s2, t.xy) + f4tex2D(s2, t.xy) + h4tex2D(s2, t.xy) + f4texCUBE(cube, t.xyz) + h4texCUBE(cube, t.xyz);
-    r.xyz += f3tex2D(s2, t.xy) + h3tex2D(s2, t.xy) + f3texCUBE(cube, t.xyz) + h3texCUBE(cube, t.xyz);
-    r.xy += f2tex2D(s2, t.xy) + h2tex2D(s2, t.xy);
-    return r + f1tex2D(s2, t.xy) + h1tex2D(s2, t.xy);
+    float4 r = texRECT(s2, t.xy) + texRECTproj(s2, t);
+    r += f4tex1D(s1, t.x) + f4tex2D(s2, t.xy) + f4tex2Dproj(s2, t) + f4tex3D(s3, t.xyz) + f4texCUBE(cube, t.xyz) + f4texRECT(s2, t.xy);
+    r.xyz += f3tex1D(s1, t.x) + f3tex2D(s2, t.xy) + f3tex2Dproj(s2, t) + f3tex3D(s3, t.xyz) + f3texCUBE(cube, t.xyz) + f3texRECT(s2, t.xy);
+    r.xy += f2tex1D(s1, t.x) + f2tex2D(s2, t.xy) + f2tex2Dproj(s2, t) + f2tex3D(s3, t.xyz) + f2texCUBE(cube, t.xyz) + f2texRECT(s2, t.xy);
+    r.x += f1tex1D(s1, t.x) + f1tex2D(s2, t.xy) + f1tex2Dproj(s2, t) + f1tex3D(s3, t.xyz) + f1texCUBE(cube, t.xyz) + f1texRECT(s2, t.xy);
+    r += h4tex1D(s1, t.x) + h4tex2D(s2, t.xy) + h4tex2Dproj(s2, t) + h4tex3D(s3, t.xyz) + h4texCUBE(cube, t.xyz) + h4texRECT(s2, t.xy);
+    r.xyz += h3tex1D(s1, t.x) + h3tex2D(s2, t.xy) + h3tex2Dproj(s2, t) + h3tex3D(s3, t.xyz) + h3texCUBE(cube, t.xyz) + h3texRECT(s2, t.xy);
+    r.xy += h2tex1D(s1, t.x) + h2tex2D(s2, t.xy) + h2tex2Dproj(s2, t) + h2tex3D(s3, t.xyz) + h2texCUBE(cube, t.xyz) + h2texRECT(s2, t.xy);
+    r.x += h1tex1D(s1, t.x) + h1tex2D(s2, t.xy) + h1tex2Dproj(s2, t) + h1tex3D(s3, t.xyz) + h1texCUBE(cube, t.xyz) + h1texRECT(s2, t.xy);
+    return r;
 }
 
-float4 PS(float4 t : TEXCOORD0) : COLOR { return CgLookups(t) + Lookups(t) + Maths(t, float3x3(t.xyz, t.yzw, t.zwx)); }
+float4 Bits(float4 t)
+{
+    int4 i = asint(t);
+    uint4 u = asuint(t) + asuint(i);
+    return asfloat(i) + asfloat(u) + asfloat(t) + ddx_coarse(t) + ddx_fine(t) + ddy_coarse(t) + ddy_fine(t);
+}
+
+float4 PS(float4 t : TEXCOORD0) : COLOR { return CgLookups(t) + Bits(t) + Lookups(t) + Maths(t, float3x3(t.xyz, t.yzw, t.zwx)); }
 
 technique T { pass { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }

@@ -68,6 +68,26 @@ inline std::string GlslLog(const ShaderProgram& program) {
   return valid ? "" : log.str() + program.vertex_glsl + program.fragment_glsl;
 }
 
+/// Validates many programs in one run of glslangValidator, each stage by itself; empty when all are valid, else the
+/// log.
+inline std::string GlslLogOfAll(const std::vector<const ShaderProgram*>& programs) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("burin_glsl_all_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const std::string stem = (folder / std::to_string(i)).string();
+    std::ofstream(stem + ".vert") << programs[i]->vertex_glsl;
+    std::ofstream(stem + ".frag") << programs[i]->fragment_glsl;
+  }
+  const std::string list = (folder / "log").string();
+  const std::string command = "cd " + folder.string() + " && glslangValidator *.vert *.frag > log 2>&1";
+  const bool valid = std::system(command.c_str()) == 0;
+  std::stringstream log;
+  log << std::ifstream(list).rdbuf();
+  std::filesystem::remove_all(folder);
+  return valid ? "" : log.str();
+}
+
 /// An effect whose pixel shader has this body; `declarations` stand before it.
 inline std::string PixelEffect(const std::string& body, const std::string& declarations = "") {
   return declarations + "\nfloat4 PS(float4 t : TEXCOORD0) : COLOR { " + body +

@@ -96,7 +96,8 @@ TEST(Constant, MulKeepsRowsAndColumnsApart) {
 
 TEST(Constant, DefaultsMustBeConstant) {
   EXPECT_EQ(test::Messages("float a;\nfloat b = a * 2;"),
-            "2:11: error: 'b': initial value must be a literal expression [X3011]\n");
+            "2:11: warning: 'b': the initial value is no literal expression, so shaders compute it and it is no "
+            "parameter [X3011]\n");
 }
 
 TEST(Constant, ValueConversionTruncatesMatricesByRowsAndColumns) {

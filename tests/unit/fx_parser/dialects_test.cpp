@@ -45,9 +45,89 @@ TEST(Dialects, CgsLookUpsSayWhatTheyReturn) {
   if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(program), "");
 }
 
-TEST(Dialects, InterfacesAreRefusedOnce) {
-  EXPECT_EQ(Messages("interface Light { float3 Shine(float3 p); float a; };\nLight lights[2]; float b;"),
-            "1:1: error: Cg's interfaces are not supported [B1203]\n");
+TEST(Dialects, InterfacesCostOnlyTheTechniquesThatCallThem) {
+  const CompileResult result = test::Compile(
+      "interface Light { float3 Shine(float3 p); };\n"
+      "struct Lamp : Light { float3 at; float3 Shine(float3 p) { return at - p; } };\n"
+      "Lamp lamp = { 1, 2, 3 }; Light one = lamp;\nLight lights[];\n"
+      "float4 Lit(float3 p : TEXCOORD0) : COLOR { float3 sum = 0;\n"
+      "  for (int i = 0; i < lights.length; i++) sum += lights[i].Shine(p); return float4(sum, 1); }\n"
+      "float4 Plain() : COLOR { return float4(lamp.at, 1); }\n"
+      "technique A { pass P { PixelShader = compile ps_2_0 Lit(); } }\n"
+      "technique B { pass P { PixelShader = compile ps_2_0 Plain(); } }");
+  EXPECT_EQ(Messages(result),
+            "4:1: warning: an array without a size gets it from a host, which this one has no means to choose: it has one "
+            "element [B1025]\n"
+            "8:11: warning: technique 'A' cannot run here: pass 'P': function 'Lit' calls a struct's function 'Shine' "
+            "[B1026]\n");
+  ASSERT_TRUE(result.effect);
+  EXPECT_TRUE(result.effect->techniques[1].unsupported.empty());
+  EXPECT_EQ(Messages("struct S { float f(float x); }; S s; float4 PS() : COLOR { return s.g(1); }"),
+            "1:69: error: 'S' has no function 'g' that takes (int) [X3018]\n");
+}
+
+TEST(Dialects, AsmInAFunctionCostsOnlyTheTechniquesThatRunIt) {
+  const CompileResult result = test::Compile(
+      "sampler s; float4 Fetch(float2 t) { float4 r; asm { tfetch2D r, t, s, OffsetX=-0.5 }; [isolate] { r += 1; } "
+      "return r; }\n"
+      "float4 A(float2 t : TEXCOORD0) : COLOR { return Fetch(t); } float4 B() : COLOR { return 1; }\n"
+      "technique A { pass { PixelShader = compile ps_3_0 A(); } } technique B { pass { PixelShader = compile ps_3_0 B(); "
+      "} }");
+  EXPECT_EQ(Messages(result),
+            "3:11: warning: technique 'A' cannot run here: pass 0: asm in function 'Fetch' [B1026]\n");
+  ASSERT_TRUE(result.effect);
+  EXPECT_TRUE(result.effect->techniques[1].unsupported.empty());
+}
+
+TEST(Dialects, FragmentsAndObjectsOfOtherModelsOnlyCheck) {
+  EXPECT_EQ(Messages("float4 F(float4 c : COLOR0) : COLOR0 { return c; }\n"
+                     "pixelfragment f = compile_fragment ps_2_0 F();\nTexture2DArray a; RWTexture2D<float4> w;\n"
+                     "Texture2DMS<float4, 4> m; GeometryShader g = CompileShader(gs_4_0, G());\n"
+                     "float4 S(SamplerState s) { return a.Sample(s, float3(1, 2, 3)) + m.Load(int2(1, 2), 0); }\n"
+                     "float buffer; float4 Buffers() { return buffer; }"),
+            "");
+}
+
+TEST(Dialects, LookUpsByTextureAndSamplerArePairs) {
+  const CompileResult result = test::Compile(
+      "Texture2D a; Texture2D<float2> b; TextureCube c;\n"
+      "SamplerState s { AddressU = Clamp; }; SamplerState t[2];\n"
+      "float4 Look(Texture2D x, SamplerState y, float2 uv) { return x.SampleLevel(y, uv, 1); }\n"
+      "float4 VS(float4 p : POSITION) : POSITION { return p + a.Sample(s, p.xy); }\n"
+      "float4 PS(float4 uv : TEXCOORD0) : COLOR { return a.Sample(s, uv) + b.Sample(s, uv.xy).yyxx + "
+      "c.SampleBias(t[1], uv.xyz, 1) + Look(a, s, uv.xy) + a.SampleGrad(s, uv.xy, uv.zw, 0); }\n"
+      "technique T { pass { VertexShader = compile vs_4_0_level_9_1 VS(); PixelShader = compile ps_4_0 PS(); } }");
+  ASSERT_TRUE(result.effect) << Messages(result);
+  const ShaderProgram& program = result.effect->techniques[0].passes[0].program;
+  std::vector<std::string> pairs;
+  for (const std::size_t index : program.samplers) {
+    const Sampler& sampler = result.effect->samplers[index];
+    pairs.push_back(sampler.name + " " + (sampler.texture ? result.effect->textures[*sampler.texture].name : "none"));
+  }
+  EXPECT_EQ(pairs, (std::vector<std::string>{"a_with_s a", "b_with_s b", "c_with_t_1 c"}));
+  EXPECT_EQ(result.effect->samplers[program.samplers[0]].states.size(), 1u);
+  EXPECT_EQ(result.effect->samplers[program.samplers[2]].dimension, Dimension::kCube);
+  if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(program), "");
+  EXPECT_EQ(Messages("Texture2D a; float4 f() { return a.Sampel(1); }"),
+            "1:36: error: 'texture2D' has no function 'Sampel' that takes (int) [X3018]\n");
+}
+
+TEST(Dialects, NamespacesKeepNamesApart) {
+  const CompileResult result = test::Compile(
+      "namespace A { uniform float level = 2; texture t; sampler s { Texture = t; };\n"
+      "  float4 Look(float2 uv) { return tex2D(s, uv) * level; }\n"
+      "  float4 PS(float2 uv : TEXCOORD0) : COLOR { return Look(uv); } }\n"
+      "namespace B { float level = 3; float4 Look(float2 uv) { return A::Look(uv) * level * A::level; }\n"
+      "  float4 PS(float2 uv : TEXCOORD0) : COLOR { return Look(uv); }\n"
+      "  technique T { pass { PixelShader = compile ps_3_0 PS(); } } }");
+  EXPECT_EQ(Messages(result), "");
+  ASSERT_TRUE(result.effect);
+  EXPECT_EQ(result.effect->parameters[0].name, "A_level");
+  EXPECT_EQ(result.effect->parameters[1].name, "B_level");
+  EXPECT_EQ(result.effect->samplers[0].name, "A_s");
+  const ShaderProgram& program = result.effect->techniques[0].passes[0].program;
+  EXPECT_EQ(program.parameters.size(), 2u);
+  if (test::HasGlslang()) EXPECT_EQ(test::GlslLog(program), "");
 }
 
 TEST(Dialects, SamplerArraysTakeIndicesOfTheCompileExpression) {

@@ -57,17 +57,19 @@ TEST(Effect, ParametersKeepTypesSemanticsAndAnnotations) {
       "float4x4 wvp : WorldViewProjection;\n"
       "float Script : STANDARDSGLOBAL < string UIWidget = \"none\"; float2 Range = { 0, 1 }; int Order = 1 + 1; > = "
       "0.8;\n"
-      "string Title = \"a\" \"b\";\nstatic float no; const float neither = 1; shared float yes;");
+      "string Title = \"a\" \"b\";\nstatic float no; const float promised = 1; const float table[2] = { 1, "
+      "2 }; shared float yes;");
   ASSERT_TRUE(result.effect) << Messages(result);
   const auto& parameters = result.effect->parameters;
-  ASSERT_EQ(parameters.size(), 4u);
+  ASSERT_EQ(parameters.size(), 5u);
   EXPECT_EQ(parameters[0].semantic, "WorldViewProjection");
   EXPECT_EQ(FindAnnotation(parameters[1].annotations, "uiwidget")->value.strings, std::vector<std::string>{"none"});
   EXPECT_EQ(FindAnnotation(parameters[1].annotations, "RANGE")->value.numbers, (std::vector<double>{0, 1}));
   EXPECT_EQ(FindAnnotation(parameters[1].annotations, "Order")->value.numbers, std::vector<double>{2});
   EXPECT_EQ(FindAnnotation(parameters[1].annotations, "other"), nullptr);
   EXPECT_EQ(parameters[2].default_value.strings, std::vector<std::string>{"ab"});
-  EXPECT_EQ(parameters[3].name, "yes");
+  EXPECT_EQ(parameters[3].name, "promised");
+  EXPECT_EQ(parameters[4].name, "yes");
 }
 
 TEST(Effect, TexturesOfFilesKnowTheirFileAndDimension) {

@@ -159,10 +159,6 @@ TEST(ParserDeclaration, PutsAMissingSemicolonWhereItBelongs) {
 }
 
 TEST(ParserDeclaration, ReportsWhatCannotStandInAStruct) {
-  EXPECT_EQ(DumpText("struct S : T { float x; };"),
-            "1:10 error: expected '{' (a struct has no base here), found ':' [X3000]\n");
-  EXPECT_EQ(DumpText("struct S { float f() { return 1; } float y; };"),
-            "1:18 error: a struct cannot have functions [X3000]\n");
   EXPECT_EQ(DumpText("struct S { struct T { float x; } t; };"),
             "1:19 error: a struct cannot be defined inside a struct [X3000]\n");
 }
@@ -190,9 +186,19 @@ TEST(ParserDeclaration, ReportsAStrayBraceAndAStrayPass) {
   EXPECT_EQ(DumpText("pass P0 { ZEnable = true; }"), "1:1 error: a pass stands inside a technique [X3000]\n");
 }
 
-TEST(ParserDeclaration, NamesReshadesNamespaces) {
-  EXPECT_EQ(DumpText("namespace A { float x; }"),
-            "1:1 error: namespaces belong to ReShade FX, not to Direct3D 9 effects [B1202]\n");
+TEST(ParserDeclaration, TakesNamesOfNamespacesWhole) {
+  EXPECT_EQ(DumpText("float y; namespace A { float x; namespace B { float z = x + y; } }; float w = A::B::z + ::y;"),
+            "[float y]\n[float A::x]\n[float A::B::z = (+ A::x y)]\n[float w = (+ A::B::z y)]");
+  EXPECT_EQ(DumpText("namespace A { struct S { float x; }; S s; float f(float x, S s) { S x; return s.x; } } A::S t;"),
+            "(struct A::S [float x])\n[A::S A::s]\n(function float A::f [float x] [A::S s] { (var [A::S x]) (return (. s "
+            "x)) })\n[A::S t]");
+  EXPECT_EQ(DumpText("namespace A { float x;"),
+            "1:23 error: expected '}' to end the namespace, found end of file [X3000]\n  1:13 to match this\n");
+}
+
+TEST(ParserDeclaration, ReadsTheHeadsOfStructsFunctions) {
+  EXPECT_EQ(DumpText("interface L { float f(float x); }; struct S : L { float f(float x) { return x; } float y; };"),
+            "(struct L)\n(struct S [float y])");
 }
 
 }  // namespace

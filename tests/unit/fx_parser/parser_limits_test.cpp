@@ -46,7 +46,7 @@ TEST(ParserLimits, RefusesDeepNestingOfEveryKind) {
   EXPECT_EQ(Codes("void f() { " + Repeat("switch (a) { case 1: ", kHuge) + Repeat("}", kHuge) + "}").substr(0, 6),
             "B1201 ");
   EXPECT_EQ(Codes(Repeat("struct { ", kHuge) + Repeat("};", kHuge)).substr(0, 6), "B1201 ");
-  EXPECT_EQ(Codes(Repeat("namespace a { ", kHuge)).substr(0, 6), "B1202 ");
+  EXPECT_EQ(Codes(Repeat("namespace a { ", kHuge)).substr(0, 6), "B1201 ");
   EXPECT_EQ(Codes("float x = " + Repeat("compile a f(", kHuge) + ";"), "B1201 ");
   EXPECT_EQ(Codes("sampler x = " + Repeat("sampler_state { a = ", kHuge) + ";").substr(0, 6), "B1201 ");
   EXPECT_EQ(Codes("string s = " + Repeat("\"a\" (", kHuge) + "\"b\";"), "B1201 ");

@@ -60,7 +60,7 @@ TEST(PreprocessorCondition, ReportsFaultyExpressions) {
   EXPECT_EQ(Preprocess("#if (1\n#endif").messages, "1:2 error: expected ')' in a condition [B1007]\n");
   EXPECT_EQ(Preprocess("#if 1 2\n#endif").messages, "1:7 error: unexpected '2' in a condition [B1007]\n");
   EXPECT_EQ(Preprocess("#if 1.5 > 1\n#endif").messages,
-            "1:5 error: a condition takes whole numbers, not '1.5' [B1007]\n");
+            "1:5 warning: a condition takes whole numbers: '1.5' counts as 1 [B1007]\n");
   EXPECT_EQ(Preprocess("#if defined\n#endif").messages, "1:5 error: expected a macro name after 'defined' [B1007]\n");
   EXPECT_EQ(Preprocess("#if \"a\"\n#endif").messages, "1:5 error: unexpected \"a\" in a condition [B1007]\n");
   EXPECT_EQ(Preprocess("#if 1 ? 2\n#endif").messages, "1:2 error: expected ':' in a condition [B1007]\n");

@@ -24,7 +24,7 @@ TEST(Names, UndeclaredOnesSuggestTheNearest) {
 
 TEST(Names, AreOnlyKnownAfterTheirDeclaration) {
   EXPECT_EQ(Messages("float F() { return G(); }\nfloat G() { return 1; }"),
-            "1:20: error: undeclared identifier 'G' [X3004]\n");
+            "1:20: error: undeclared identifier 'G' [X3004]\n  2:7: note: 'G' is declared here, after its use\n");
   EXPECT_EQ(Messages("float G();\nfloat F() { return G(); }\nfloat G() { return 1; }"), "");
   EXPECT_EQ(Messages("float x = x;"), "1:11: error: undeclared identifier 'x' [X3004]\n");
 }
@@ -80,8 +80,8 @@ TEST(Types, MismatchesNameBoth) {
 }
 
 TEST(Types, MembersAndElementsAreChecked) {
-  EXPECT_EQ(InFunction("v.x = v.q;"), "2:9: error: invalid subscript 'q' of 'float4' [X3018]\n");
-  EXPECT_EQ(InFunction("v.x = v.xy.z;"), "2:12: error: invalid subscript 'z' of 'float2' [X3018]\n");
+  EXPECT_EQ(InFunction("v.x = v.q;"), "2:9: error: invalid subscript 'q' of 'float4': its components are x, y, z, w or r, g, b, a [X3018]\n");
+  EXPECT_EQ(InFunction("v.x = v.xy.z;"), "2:12: error: invalid subscript 'z' of 'float2': its components are x, y or r, g [X3018]\n");
   EXPECT_EQ(InFunction("S s; v.x = s.colour;", "struct S { float color; };\n"),
             "3:14: error: invalid subscript 'colour': struct 'S' has no such member; did you mean 'color'? [X3018]\n");
   EXPECT_EQ(InFunction("v.x = v[4];"), "2:9: error: index out of bounds: 'float4' has 4 elements [X3504]\n");
@@ -115,7 +115,7 @@ TEST(Calls, WithoutAFittingFunctionListThem) {
             "  1:7: note: candidate: float G(float2)\n");
   EXPECT_EQ(InFunction("v = cross(v.xy, v);"),
             "2:5: error: 'cross': no matching 2 parameter intrinsic function for (float2, float4) [X3013]\n"
-            "  2:5: note: candidate: float3 cross(float3, float3)\n");
+            "  0:0: note: candidate: float3 cross(float3, float3)\n");
   EXPECT_EQ(Messages("float G(float a, int b) { return a; }\nfloat G(int a, float b) { return a; }\nfloat F() { return "
                      "G(1, 1); }"),
             "3:20: error: 'G': ambiguous function call [X3067]\n"
@@ -169,9 +169,9 @@ TEST(Flow, EveryPathReturns) {
 
 TEST(Flow, ConditionsAreScalars) {
   EXPECT_EQ(InFunction("if (v) v = 1;"),
-            "2:5: error: if statement conditional expressions must evaluate to a scalar [X3019]\n");
+            "2:5: error: if statement conditional expressions must evaluate to a scalar, not 'float4'; any() or all() makes one of it [X3019]\n");
   EXPECT_EQ(InFunction("while (v > 0) v -= 1;"),
-            "2:8: error: loop conditional expressions must evaluate to a scalar [X3019]\n");
+            "2:8: error: loop conditional expressions must evaluate to a scalar, not 'bool4'; any() or all() makes one of it [X3019]\n");
   EXPECT_EQ(InFunction("break;"), "2:1: error: break must be inside a loop or switch [X3518]\n");
   EXPECT_EQ(InFunction("continue;"), "2:1: error: continue must be inside a loop [X3519]\n");
   EXPECT_EQ(InFunction("switch (1) { case 1: break; case 1: break; }"),
@@ -194,6 +194,21 @@ TEST(Checks, StopAfterTwentyErrors) {
 TEST(Checks, AfterASyntaxErrorUnknownNamesAreNotBlamed) {
   EXPECT_EQ(Messages("float a = ;\nfloat F() { return a + 1; }\nfloat4 G() { float3 w = 1; return w; }").find("X3004"),
             std::string::npos);
+}
+
+TEST(Names, OfGlslAreTranslated) {
+  EXPECT_EQ(InFunction("v = mix(v, vec4(1), 2);"),
+            "2:12: error: undeclared identifier 'vec4'; did you mean 'float4'? [X3004]\n"
+            "2:5: error: undeclared identifier 'mix'; did you mean 'lerp'? [X3004]\n");
+  EXPECT_EQ(Messages("vec3 x;"), "1:1: error: unknown type 'vec3'; did you mean 'float3'? [X3000]\n");
+  EXPECT_EQ(InFunction("v = flaot4(1, 2, 3, 4);"),
+            "2:5: error: undeclared identifier 'flaot4'; did you mean 'float4'? [X3004]\n");
+}
+
+TEST(Names, OfFunctionsAreReportedBesideTheirArguments) {
+  EXPECT_EQ(InFunction("v = tex2d(nothing, v);"),
+            "2:11: error: undeclared identifier 'nothing' [X3004]\n"
+            "2:5: error: undeclared identifier 'tex2d'; did you mean 'tex2D'? [X3004]\n");
 }
 
 }  // namespace
