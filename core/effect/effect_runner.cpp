@@ -20,6 +20,7 @@
 #include "core/effect/texture_store.h"
 #include "core/gl/fullscreen_quad.h"
 #include "core/gl/state.h"
+#include "core/gl/vertex_layout.h"
 
 namespace burin::effect {
 namespace {
@@ -44,10 +45,13 @@ class Runner final : public EffectRunner {
       : effect_(std::move(effect)), choice_(std::move(choice)), schedule_(std::move(schedule)) {}
   Result<void> CreateTextures(const RunnerOptions& options);
   Result<void> CreateSteps(std::vector<PassProgram> programs);
+  [[nodiscard]] bool LooksAtSource() const;
   void ListAttributes();
   void ClearAtStart();
   Result<void> RunStep(std::size_t index, const FrameContext& context);
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
+  void DrawQuad(const PassStep& step);
+  [[nodiscard]] std::uint32_t Environment() const { return environment_ ? environment_() : 0u; }
 
   std::shared_ptr<const fx::Effect> effect_;
   TechniqueChoice choice_;
@@ -62,6 +66,7 @@ class Runner final : public EffectRunner {
   std::optional<ParameterValues> values_;
   std::vector<std::variant<PassStep, TargetStep>> steps_;  ///< one for each of the schedule's
   gl::Texture source_;                                     ///< what ScriptExternal draws; a caller fills it
+  std::function<std::uint32_t()> environment_;
   gl::FramebufferHandle scratch_framebuffer_;
   std::vector<SceneDraw> draws_;
 };
@@ -83,7 +88,7 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   auto overrides = ParseOverrides(*effect_, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
   warnings_ = RangeWarnings(*effect_, *overrides);
-  auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options.load_texture, warnings_);
+  auto textures = TextureStore::Create(*effect_, schedule_, *overrides, options, warnings_);
   if (!textures) return std::unexpected(textures.error());
   textures_ = std::move(*textures);
   values_.emplace(*effect_, *overrides, schedule_.texture_sizes, warnings_);
@@ -100,6 +105,8 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
       gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the frame", effect_->path));
   if (!frame) return std::unexpected(frame.error());
   frame_ = std::move(*frame);
+  environment_ = options.environment;
+  schedule_.copies_source |= options.has_source && LooksAtSource();
   if (schedule_.copies_source) {
     auto source =
         gl::Texture::Create(format, options.width, options.height, 1, fmt::format("{}: the source", effect_->path));
@@ -138,6 +145,17 @@ Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
   return {};
 }
 
+// Whether a texture without a file, looked up over the quadrilateral, stands for the source's picture.
+bool Runner::LooksAtSource() const {
+  return std::any_of(schedule_.steps.begin(), schedule_.steps.end(), [&](const Step& step) {
+    if (step.kind != Step::Kind::kPass || !step.shows_source) return false;
+    const auto& samplers = effect_->techniques[step.technique].passes[step.pass].program.samplers;
+    return std::any_of(samplers.begin(), samplers.end(), [&](std::size_t sampler) {
+      return textures_->HostMeaning(effect_->samplers[sampler]) == TextureMeaning::kBaseColor;
+    });
+  });
+}
+
 void Runner::ListAttributes() {
   const auto annotated = AnnotatedEncoding(effect_->techniques[choice_.technique]);
   for (const std::size_t index : schedule_.attributes) {
@@ -169,15 +187,33 @@ Result<void> Runner::DrawScene(PassStep& step, const FrameContext& context) {
   FrameContext object = context;
   for (const SceneDraw& draw : draws_) {
     object.world_from_object = draw.world_from_object;
+    object.material = draw.material;
     values_->SetObject(object);
     step.UpdateParameters(*values_);
     // Models wind their front faces counter-clockwise, and a mirroring matrix turns them round; effects of Direct3D
     // expect clockwise ones.
     step.SetFrontFace(glm::determinant(draw.world_from_object) < 0.0f);
+    step.BindHostTextures([&](TextureMeaning meaning, bool is_decoded) {
+      if (meaning == TextureMeaning::kEnvironment) return Environment();
+      return IsOfMaterial(meaning) && draw.texture ? draw.texture(meaning, is_decoded) : 0u;
+    });
     draw.draw();
   }
   values_->SetObject(context);
   return {};
+}
+
+void Runner::DrawQuad(const PassStep& step) {
+  step.BindHostTextures([&](TextureMeaning meaning, bool) {
+    if (meaning == TextureMeaning::kEnvironment) return Environment();
+    return meaning == TextureMeaning::kBaseColor && step.shows_source() && source_ ? source_.id() : 0u;
+  });
+  // A quadrilateral that faces the eye, for shaders that were meant for models.
+  glVertexAttrib4f(gl::kLocationNormal, 0.0f, 0.0f, 1.0f, 1.0f);
+  glVertexAttrib4f(gl::kLocationTangent, 1.0f, 0.0f, 0.0f, 1.0f);
+  for (const GLuint location : {gl::kLocationColor0, gl::kLocationColor1})
+    glVertexAttrib4f(location, 1.0f, 1.0f, 1.0f, 1.0f);
+  quad_.Draw();
 }
 
 Result<const gl::Texture*> Runner::Run(const FrameContext& context, const SceneDraws& scene) {
@@ -209,7 +245,7 @@ Result<void> Runner::RunStep(std::size_t index, const FrameContext& context) {
   if (step.draws_scene()) {
     if (auto drawn = DrawScene(step, context); !drawn) return drawn;
   } else {
-    quad_.Draw();
+    DrawQuad(step);
   }
   step.End();
   return {};

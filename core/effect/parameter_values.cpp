@@ -20,7 +20,9 @@ ParameterValues::ParameterValues(const fx::Effect& effect, const Overrides& over
     values_.push_back(parameter.default_value);
     if (auto host = FindHostValue(effect, parameter, warnings)) {
       values_.back().type = parameter.type;
-      values_.back().numbers.resize(static_cast<std::size_t>(parameter.type.components()), 0.0);
+      std::size_t size = static_cast<std::size_t>(parameter.type.components());
+      for (const std::uint32_t length : parameter.type.array) size *= length;
+      values_.back().numbers.resize(size, 0.0);
       bindings_.push_back({i, std::move(*host)});
     }
   }

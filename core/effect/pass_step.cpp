@@ -124,7 +124,12 @@ void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, 
                               std::vector<std::string>& warnings) {
   for (const std::size_t index : PassOf(effect, step_).program.samplers) {
     const fx::Sampler& sampler = effect.samplers[index];
-    BoundSampler bound{.index = index, .sampler = CreateSampler(), .states = {}, .is_dynamic = false, .texture = 0};
+    BoundSampler bound{.index = index,
+                       .sampler = CreateSampler(),
+                       .states = {},
+                       .is_dynamic = false,
+                       .texture = 0,
+                       .meaning = textures.HostMeaning(sampler)};
     bool may_be_srgb = false;
     for (const fx::SamplerState& state : sampler.states) {
       may_be_srgb |= state.name == fx::SamplerStateName::kSrgbTexture;
@@ -141,7 +146,9 @@ void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, 
         warnings.push_back(fmt::format("{}: sampler '{}': {}: ignored", effect.path, sampler.name, fault));
     }
     if (!sampler.texture) {
-      warnings.push_back(fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
+      const bool is_given = bound.meaning && IsOfMaterial(*bound.meaning) && (step_.draws_scene || step_.shows_source);
+      if (!is_given)
+        warnings.push_back(fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
     } else if (may_be_srgb && !textures.AddSrgbView(*sampler.texture)) {
       warnings.push_back(fmt::format("{}: sampler '{}': SRGBTexture has no effect on {}, whose format has no sRGB form",
                                      effect.path, sampler.name, effect.textures[*sampler.texture].name));
@@ -224,6 +231,21 @@ Result<void> PassStep::Begin(const fx::Effect& effect, const TextureStore& textu
   BindSamplers(effect, textures, lookup);
   program_.Use(values, MakeHostUniforms(effect, states));
   return {};
+}
+
+bool PassStep::Shows(TextureMeaning meaning) const {
+  return std::any_of(samplers_.begin(), samplers_.end(),
+                     [&](const BoundSampler& bound) { return bound.meaning == meaning; });
+}
+
+void PassStep::BindHostTextures(const std::function<std::uint32_t(TextureMeaning, bool)>& texture) const {
+  if (!texture) return;
+  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
+    const BoundSampler& bound = samplers_[unit];
+    if (!bound.meaning) continue;
+    const std::uint32_t given = texture(*bound.meaning, bound.states.srgb);
+    glBindTextureUnit(static_cast<GLuint>(unit), given != 0 ? given : bound.texture);
+  }
 }
 
 void PassStep::SetFrontFace(bool clockwise) const { glFrontFace(clockwise ? GL_CW : GL_CCW); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ class PassStep {
   /// Binds all of it and clears what the schedule says; the caller then draws.
   [[nodiscard]] Result<void> Begin(const fx::Effect& effect, const TextureStore& textures, const ParameterValues& values,
                                    const fx::ParameterLookup& lookup, std::vector<std::string>& warnings);
+  /// Binds what the host gives to samplers without a file: `texture` is SceneDraw's; 0 leaves the stand-in.
+  void BindHostTextures(const std::function<std::uint32_t(TextureMeaning, bool)>& texture) const;
+  /// Whether any sampler shows this.
+  [[nodiscard]] bool Shows(TextureMeaning meaning) const;
   void UpdateParameters(const ParameterValues& values) { program_.UpdateParameters(values); }
   /// For the scene's draws: `clockwise` is the winding that counts as front.
   void SetFrontFace(bool clockwise) const;
@@ -42,6 +47,7 @@ class PassStep {
   void End() const;
 
   [[nodiscard]] bool draws_scene() const { return step_.draws_scene; }
+  [[nodiscard]] bool shows_source() const { return step_.shows_source && Shows(TextureMeaning::kBaseColor); }
 
  private:
   struct BoundSampler {
@@ -50,6 +56,7 @@ class PassStep {
     SamplerStates states;
     bool is_dynamic = false;     ///< some state is an expression
     std::uint32_t texture = 0;
+    std::optional<TextureMeaning> meaning;   ///< TextureStore::HostMeaning()
   };
   PassStep() = default;
   Result<void> CreateTargets(const fx::Effect& effect, const FrameTexture& frame, TextureStore& textures,

@@ -78,6 +78,7 @@ void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std
     step.technique = technique;
     step.pass = pass;
     step.draws_scene = custom_target.has_value() || (has_scene && effect.techniques[technique].passes[pass].projects);
+    step.shows_source = !step.draws_scene && !effect.uses_extension;
     if (custom_target) {
       step.targets = {*custom_target};
     } else {

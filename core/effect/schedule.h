@@ -34,7 +34,8 @@ struct Step {
   Kind kind = Kind::kPass;
   std::size_t technique = 0;
   std::size_t pass = 0;
-  bool draws_scene = false;            ///< a custom attribute's pass: the scene's geometry, not the quadrilateral
+  bool draws_scene = false;            ///< the scene's geometry, not the quadrilateral
+  bool shows_source = false;           ///< textures without a file show the source's picture, over the quadrilateral
   std::vector<std::size_t> targets;    ///< indices in Effect::textures; empty: the frame
   glm::ivec2 size{0};                  ///< of the targets, pixels
   bool clears_targets = false;         ///< the first that touches them in a frame

@@ -26,7 +26,9 @@ class ScriptRun {
         technique_(technique),
         frame_(frame),
         options_(options),
-        schedule_(schedule) {}
+        schedule_(schedule),
+        takes_source_(std::ranges::any_of(
+            script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; })) {}
 
   void Run() {
     RunRange(0, script_.size());
@@ -53,6 +55,7 @@ class ScriptRun {
   glm::ivec2 frame_;
   const ScheduleOptions& options_;
   Schedule& schedule_;
+  bool takes_source_;   // by ScriptExternal; then textures are no other way to it
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
   ClearStep clear_;            // values as set; what to clear only until it is done
@@ -218,6 +221,7 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
   Step step = NewStep();
   step.pass = draw.pass;
   step.draws_scene = draw.action == Action::kDrawGeometry;
+  step.shows_source = !step.draws_scene && !takes_source_;
   for (const std::size_t sampler : effect_.techniques[technique_].passes[draw.pass].program.samplers) {
     const auto texture = effect_.samplers[sampler].texture;
     const auto* role = texture ? std::get_if<fx::ScriptTargetRole>(&effect_.textures[*texture].role) : nullptr;

@@ -11,24 +11,48 @@
 
 namespace burin::render {
 
-effect::TextureLoader TextureLoaderFor(const std::string& effect_path,
-                                       const std::vector<std::string>& include_folders) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> folders{fs::path(effect_path).parent_path().string()};
+namespace {
+
+std::vector<std::string> Folders(const std::string& effect_path, const std::vector<std::string>& include_folders) {
+  std::vector<std::string> folders{std::filesystem::path(effect_path).parent_path().string()};
   if (!folders.front().empty()) folders.emplace_back();  // the working folder
   folders.insert(folders.end(), include_folders.begin(), include_folders.end());
-  return [effect_path, folders](const std::string& path) -> Result<image::Image> {
-    auto module = image::LoadImageModule();
-    if (!module) return std::unexpected(module.error());
+  return folders;
+}
+
+// Files are named with the folders of whoever made the effect: the file alone may lie in one of ours.
+std::string WithoutFolder(const std::string& path) {
+  const std::size_t folder = path.find_last_of("/\\");
+  return folder == std::string::npos ? std::string() : path.substr(folder + 1);
+}
+
+}  // namespace
+
+std::string TextureFolders(const std::string& effect_path, const std::vector<std::string>& include_folders) {
+  std::vector<std::string> searched;
+  for (const std::string& folder : Folders(effect_path, include_folders))
+    searched.push_back(folder.empty() ? "." : folder);
+  return fmt::format("{}", fmt::join(searched, ", "));
+}
+
+effect::TextureLoader TextureLoaderFor(const std::string& effect_path,
+                                       const std::vector<std::string>& include_folders) {
+  const std::vector<std::string> folders = Folders(effect_path, include_folders);
+  return [folders](const std::string& path) -> Result<std::optional<image::Image>> {
     const fx::DiskFileSystem files;
-    for (const std::string& folder : folders) {
-      const std::string found = files.Find(folder.empty() || path.starts_with('/') ? path : folder + "/" + path);
-      if (!found.empty()) return (*module)->Read(found);
+    for (const std::string& name : {path, WithoutFolder(path)}) {
+      for (const std::string& folder : folders) {
+        if (name.empty()) continue;
+        const std::string found = files.Find(folder.empty() || name.starts_with('/') ? name : folder + "/" + name);
+        if (found.empty()) continue;
+        auto module = image::LoadImageModule();
+        if (!module) return std::unexpected(module.error());
+        auto picture = (*module)->Read(found);
+        if (!picture) return std::unexpected(picture.error());
+        return std::optional(*std::move(picture));
+      }
     }
-    std::vector<std::string> searched;
-    for (const std::string& folder : folders) searched.push_back(folder.empty() ? "." : folder);
-    return Fail(ErrorKind::kInput,
-                fmt::format("{}: texture '{}' not found; searched: {}", effect_path, path, fmt::join(searched, ", ")));
+    return std::optional<image::Image>();
   };
 }
 

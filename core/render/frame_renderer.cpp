@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <iterator>
 
 #include "core/image/convert.h"
@@ -78,6 +79,9 @@ Result<void> FrameRenderer::Build(RendererInput input) {
   options.techniques = std::move(input.techniques);
   options.parameters = std::move(input.parameters);
   options.include_folders = std::move(input.include_folders);
+  options.has_source = input.has_source;
+  environment_ = std::make_unique<gbuffer::EnvironmentCube>(input.environment);
+  options.environment = [cube = environment_.get()] { return cube->id(); };
   options.width = plan_.width;
   options.height = plan_.height;
   const SampleType type = plan_.output.type;
@@ -185,7 +189,15 @@ Result<void> FrameRenderer::FillLayers(const SourceFrame& frame, const Picture& 
 
 effect::FrameContext FrameRenderer::Context(const SourceFrame& frame) const {
   effect::FrameContext context;
-  if (frame.scene) context = frame.scene->context;
+  if (frame.scene) {
+    context = frame.scene->context;
+  } else {
+    // A picture lies at z = 0, is looked at along -z and lit from above left in front.
+    context.has_scene = false;
+    context.eye_world = {0.0f, 0.0f, 1.0f};
+    context.light_direction_world = glm::normalize(glm::vec3(0.45f, -0.75f, -0.6f));
+    context.scene_radius = 1.0f;
+  }
   context.frame = frame.number;
   context.time_s = static_cast<double>(frame.number - 1) / plan_.rate.value();
   context.elapsed_s = 1.0 / plan_.rate.value();

@@ -95,6 +95,7 @@ class EffectBuilder {
   Effect& effect_;
   bool write_programs_ = true;
   std::set<const ast::Variable*> written_;
+  std::set<const ast::Variable*> negated_;
   std::map<const ast::Variable*, std::size_t> parameters_;
   std::map<const ast::Variable*, std::size_t> textures_;
   std::map<SamplerBinding, std::size_t> samplers_;

@@ -29,6 +29,7 @@ struct Parameter {
   std::vector<EffectAnnotation> annotations;
   Value default_value;      ///< evaluated; zeros when the effect gives none (then has_default is false)
   bool has_default = false;
+  bool is_negated = false;  ///< some function takes its negative: of a light's direction that is as the light shines
   Range range;
 };
 

@@ -6,6 +6,7 @@
 
 #include "fx_parser/effect/builder.h"
 #include "fx_parser/effect/case.h"
+#include "fx_parser/effect/parameter_meaning.h"
 #include "fx_parser/effect/script.h"
 
 namespace burin::fx {
@@ -50,10 +51,15 @@ bool Draws(const ScriptStep& step) {
   return step.action == Action::kDrawGeometry || step.action == Action::kDrawBuffer;
 }
 
-/// Whether a parameter's semantic is a matrix that ends in clip space.
-bool IsProjection(const std::string& semantic) {
-  const std::string lower = LowerCase(semantic);
-  return lower.find("proj") != std::string::npos && lower.find("inv") == std::string::npos;
+/// Whether the vertex shader means a scene's geometry: it projects, or it reads what a quadrilateral has not.
+bool ReadsGeometry(const Effect& effect, const ShaderProgram& program) {
+  if (program.vertex_entry.empty()) return false;
+  const bool projects = std::ranges::any_of(program.parameters, [&](std::size_t parameter) {
+    return IsProjection(MeaningOf(effect.parameters[parameter], true).semantic);
+  });
+  return projects || std::ranges::any_of(program.vertex_inputs, [](const std::string& input) {
+           return input == "NORMAL0" || input == "TANGENT0" || input == "BLENDWEIGHT0";
+         });
 }
 
 }  // namespace
@@ -211,10 +217,7 @@ void EffectBuilder::BuildScripts() {
   if (effect_.uses_extension) return;
   for (Technique& technique : effect_.techniques) {
     for (Pass& pass : technique.passes) {
-      pass.projects = !pass.program.vertex_entry.empty() &&
-                      std::ranges::any_of(pass.program.parameters, [&](std::size_t parameter) {
-                        return IsProjection(effect_.parameters[parameter].semantic);
-                      });
+      pass.projects = ReadsGeometry(effect_, pass.program);
     }
   }
 }

@@ -175,7 +175,8 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
     }
   }
   std::string text = kHeader + InputDeclarations(inputs) + VaryingDeclarations(varyings, "out");
-  if (request.pixel_offset) {
+  // The quadrilateral of a pass without a vertex shader is the host's, who has put it right.
+  if (request.pixel_offset && request.vertex.function != nullptr) {
     const std::string uniform(kUniformPixelOffset);
     text += "uniform vec4 " + uniform + ";\n";
     main += "  gl_Position.xy += " + uniform + ".xy * gl_Position.w;\n";
