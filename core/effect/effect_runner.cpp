@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/effect/object_technique.h"
 #include "core/effect/parameter_override.h"
 #include "core/effect/parameter_range.h"
 #include "core/effect/parameter_values.h"
@@ -51,6 +52,7 @@ class Runner final : public EffectRunner {
   Result<void> RunStep(std::size_t index, const FrameContext& context);
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
   void DrawQuad(const PassStep& step);
+  [[nodiscard]] bool IsFor(const PassStep& step, const SceneDraw& draw) const;
   [[nodiscard]] std::uint32_t Environment() const { return environment_ ? environment_() : 0u; }
 
   std::shared_ptr<const fx::Effect> effect_;
@@ -183,9 +185,19 @@ void Runner::ClearAtStart() {
   if (schedule_.clears_frame_at_start) clear(frame_, 0.0f);
 }
 
+// Whether the object is drawn by the step's technique, where objects choose among several.
+bool Runner::IsFor(const PassStep& step, const SceneDraw& draw) const {
+  if (choice_.by_object.empty() || !effect_->techniques[step.technique()].custom_attribute.empty()) return true;
+  const auto chosen = std::find_if(choice_.by_object.begin(), choice_.by_object.end(), [&](std::size_t technique) {
+    return Draws(effect_->techniques[technique], draw.material);
+  });
+  return chosen != choice_.by_object.end() && *chosen == step.technique();
+}
+
 Result<void> Runner::DrawScene(PassStep& step, const FrameContext& context) {
   FrameContext object = context;
   for (const SceneDraw& draw : draws_) {
+    if (!IsFor(step, draw)) continue;
     object.world_from_object = draw.world_from_object;
     object.material = draw.material;
     values_->SetObject(object);
@@ -295,7 +307,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
   if (!choice) return std::unexpected(choice.error());
   auto overrides = ParseOverrides(*effect, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
-  ScheduleOptions schedule_options{.has_scene = options.has_scene, .number = {}};
+  ScheduleOptions schedule_options{.has_scene = options.has_scene, .number = {}, .by_object = choice->by_object};
   schedule_options.number = [&](std::size_t parameter) {
     const auto found = overrides->parameters.find(parameter);
     const fx::Value& value =
@@ -313,6 +325,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
     if (!options.technique.empty()) return std::unexpected(programs.error());
     choice->rejected.emplace_back(effect->techniques[choice->technique].name, programs.error().message);
     if (!NextTechnique(*effect, *choice)) return std::unexpected(programs.error());
+    schedule_options.by_object = choice->by_object;
   }
 }
 

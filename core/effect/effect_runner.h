@@ -58,6 +58,8 @@ struct RunnerOptions {
 struct TechniqueChoice {
   std::size_t technique = 0;
   std::vector<std::pair<std::string, std::string>> rejected;   ///< name, reason
+  /// Where objects choose among several (ObjectTechniques()), `technique` being the first that draws; else empty.
+  std::vector<std::size_t> by_object;
 };
 
 /// Chooses without GL (for `burin info` and `burin check`): kUsage for an unknown --technique, kInput when none is valid.

@@ -215,7 +215,7 @@ bool IsFloating(const fx::Type& type) {
 
 // Whether a parameter of this type can hold the value at all.
 bool Fits(Kind kind, const fx::Type& type) {
-  if (!type.is_numeric()) return false;
+  if (type.kind != fx::TypeKind::kNumeric) return false;
   switch (kind) {
     case Kind::kMatrix:
       return type.is_matrix && type.rows >= 2 && type.columns >= 2;

@@ -46,6 +46,7 @@ class PassStep {
   /// Unbinds textures and samplers.
   void End() const;
 
+  [[nodiscard]] std::size_t technique() const { return step_.technique; }
   [[nodiscard]] bool draws_scene() const { return step_.draws_scene; }
   [[nodiscard]] bool shows_source() const { return step_.shows_source && Shows(TextureMeaning::kBaseColor); }
 

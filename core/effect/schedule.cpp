@@ -197,21 +197,28 @@ glm::ivec2 ScaledSize(double scale, glm::ivec2 frame) {
 
 Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame,
                       const ScheduleOptions& options) {
+  const std::vector<std::size_t> techniques =
+      options.by_object.empty() || !options.has_scene ? std::vector{technique} : options.by_object;
   Schedule schedule;
   for (const fx::Texture& texture : effect.textures) schedule.texture_sizes.push_back(SizeOf(texture, frame));
-  SortByRole(effect, TexturesUsed(effect, technique), schedule);
+  std::set<std::size_t> used;
+  for (const std::size_t each : techniques) used.merge(TexturesUsed(effect, each));
+  SortByRole(effect, used, schedule);
   for (const std::size_t index : schedule.custom_attributes) {
     const auto& role = std::get<fx::AttributeRole>(effect.textures[index].role);
     if (const auto filler = CustomTechnique(effect, role.attribute))
       AddSteps(effect, *filler, index, frame, options.has_scene, schedule);
   }
-  const bool is_scripted = !effect.techniques[technique].script.empty();
-  if (!is_scripted) AddSteps(effect, technique, std::nullopt, frame, options.has_scene, schedule);
+  const bool is_scripted = std::ranges::any_of(
+      techniques, [&](std::size_t each) { return !effect.techniques[each].script.empty(); });
+  for (const std::size_t each : techniques) {
+    if (!is_scripted) AddSteps(effect, each, std::nullopt, frame, options.has_scene, schedule);
+  }
   PlanClears(effect, schedule);
   PlanDepthStencil(effect, schedule);
   if (is_scripted) {
     schedule.clears_frame_at_start = false;
-    AddScriptSteps(effect, technique, frame, options, schedule);
+    AddScriptSteps(effect, techniques, frame, options, schedule);
   }
   return schedule;
 }

@@ -70,6 +70,8 @@ struct ScheduleOptions {
   bool has_scene = false;
   /// The first component of a parameter, for the counts of scripts' loops; empty: its default.
   std::function<double(std::size_t parameter)> number;
+  /// TechniqueChoice::by_object: the steps of all of these, in order, instead of the one technique's.
+  std::vector<std::size_t> by_object = {};
 };
 
 /// Steps that one frame may have: what scripts' loops run beyond it is left out, with a warning of the runner.

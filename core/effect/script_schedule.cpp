@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/effect/text.h"
@@ -19,24 +20,16 @@ constexpr std::size_t kColorTargets = 8;
 
 class ScriptRun {
  public:
-  ScriptRun(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame, const ScheduleOptions& options,
-            Schedule& schedule)
-      : effect_(effect),
-        script_(effect.techniques[technique].script),
-        technique_(technique),
-        frame_(frame),
-        options_(options),
-        schedule_(schedule),
-        takes_source_(std::ranges::any_of(
-            script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; })) {}
+  ScriptRun(const fx::Effect& effect, glm::ivec2 frame, const ScheduleOptions& options, Schedule& schedule)
+      : effect_(effect), frame_(frame), options_(options), schedule_(schedule) {}
 
-  void Run() {
-    RunRange(0, script_.size());
-    if (clear_.color || clear_.depth || clear_.stencil) AddClear();
+  void Run(const std::vector<std::size_t>& techniques) {
+    for (const std::size_t technique : techniques) RunTechnique(technique);
     if (!drew_into_frame_) schedule_.clears_frame_at_start = true;
   }
 
  private:
+  void RunTechnique(std::size_t technique);
   void RunRange(std::size_t begin, std::size_t end);
   void RunAction(const fx::ScriptStep& step);
   [[nodiscard]] std::size_t LoopEnd(std::size_t begin, std::size_t end) const;
@@ -50,12 +43,12 @@ class ScriptRun {
   void Add(Step step);
 
   const fx::Effect& effect_;
-  const std::vector<fx::ScriptStep>& script_;
-  std::size_t technique_;
   glm::ivec2 frame_;
   const ScheduleOptions& options_;
   Schedule& schedule_;
-  bool takes_source_;   // by ScriptExternal; then textures are no other way to it
+  std::span<const fx::ScriptStep> script_;  // of the technique that runs
+  std::size_t technique_ = 0;
+  bool takes_source_ = false;   // by ScriptExternal; then textures are no other way to it
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
   ClearStep clear_;            // values as set; what to clear only until it is done
@@ -66,6 +59,18 @@ class ScriptRun {
   std::set<std::pair<std::size_t, std::pair<int, int>>> depth_touched_;
   bool drew_into_frame_ = false;
 };
+
+// Each begins with the frame as its target; what was touched before stays so.
+void ScriptRun::RunTechnique(std::size_t technique) {
+  technique_ = technique;
+  script_ = effect_.techniques[technique].script;
+  takes_source_ = std::ranges::any_of(
+      script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; });
+  colors_ = {};
+  depth_stencil_.reset();
+  RunRange(0, script_.size());
+  if (clear_.color || clear_.depth || clear_.stencil) AddClear();
+}
 
 std::size_t ScriptRun::LoopEnd(std::size_t begin, std::size_t end) const {
   int depth = 1;
@@ -235,9 +240,9 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
 
 }  // namespace
 
-void AddScriptSteps(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame, const ScheduleOptions& options,
-                    Schedule& schedule) {
-  ScriptRun(effect, technique, frame, options, schedule).Run();
+void AddScriptSteps(const fx::Effect& effect, const std::vector<std::size_t>& techniques, glm::ivec2 frame,
+                    const ScheduleOptions& options, Schedule& schedule) {
+  ScriptRun(effect, frame, options, schedule).Run(techniques);
 }
 
 }  // namespace burin::effect

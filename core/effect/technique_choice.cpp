@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/effect/effect_runner.h"
+#include "core/effect/object_technique.h"
 #include "core/effect/text.h"
 #include "fx_parser/source/diagnostic.h"
 
@@ -36,7 +37,7 @@ Result<TechniqueChoice> ChooseNamed(const fx::Effect& effect, const std::string&
       return Fail(ErrorKind::kInput,
                   fmt::format("{}: technique '{}' cannot run here: {}", effect.path, wanted, reason));
     }
-    return TechniqueChoice{.technique = i, .rejected = {}};
+    return TechniqueChoice{.technique = i, .rejected = {}, .by_object = {}};
   }
   if (names.empty()) {
     return Fail(ErrorKind::kUsage,
@@ -97,6 +98,12 @@ int AllFloating(const std::vector<const fx::Texture*>& attributes, std::initiali
 Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::string& wanted) {
   if (!wanted.empty()) return ChooseNamed(effect, wanted);
   TechniqueChoice choice;
+  choice.by_object = ObjectTechniques(effect);
+  for (const std::size_t technique : choice.by_object) {
+    if (effect.techniques[technique].passes.empty()) continue;
+    choice.technique = technique;
+    return choice;
+  }
   // What the file's own script asks for, then any other.
   for (const std::size_t preferred : effect.preferred_techniques) {
     if (!Reason(effect.techniques[preferred]).empty()) continue;
@@ -113,6 +120,7 @@ Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::str
 }
 
 bool NextTechnique(const fx::Effect& effect, TechniqueChoice& choice) {
+  choice.by_object.clear();
   return FindUsable(effect, choice.technique + 1, choice);
 }
 
