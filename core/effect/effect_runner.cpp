@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
+#include "core/effect/light_view.h"
 #include "core/effect/object_technique.h"
 #include "core/effect/parameter_override.h"
 #include "core/effect/parameter_range.h"
@@ -18,6 +20,7 @@
 #include "core/effect/target_format.h"
 #include "core/effect/target_step.h"
 #include "core/effect/technique_choice.h"
+#include "core/effect/text.h"
 #include "core/effect/texture_store.h"
 #include "core/gl/fullscreen_quad.h"
 #include "core/gl/state.h"
@@ -26,11 +29,24 @@
 namespace burin::effect {
 namespace {
 
+/// A step's own program, then those of its pass's choices.
+using StepPrograms = std::vector<PassProgram>;
+
+// The same frame through a light's eye.
+FrameContext SeenFromLight(const FrameContext& context, std::size_t light) {
+  const LightView view = LightViewOf(context, light);
+  FrameContext seen = context;
+  seen.view_from_world = view.view_from_world;
+  seen.clip_from_view = view.clip_from_view;
+  seen.eye_world = view.eye_world;
+  return seen;
+}
+
 class Runner final : public EffectRunner {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Runner>> Create(std::shared_ptr<const fx::Effect> effect,
                                                               const RunnerOptions& options, TechniqueChoice choice,
-                                                              Schedule schedule, std::vector<PassProgram> programs);
+                                                              Schedule schedule, std::vector<StepPrograms> programs);
 
   const std::vector<AttributeTarget>& attributes() const override { return attributes_; }
   const TechniqueChoice& choice() const override { return choice_; }
@@ -45,13 +61,15 @@ class Runner final : public EffectRunner {
   Runner(std::shared_ptr<const fx::Effect> effect, TechniqueChoice choice, Schedule schedule)
       : effect_(std::move(effect)), choice_(std::move(choice)), schedule_(std::move(schedule)) {}
   Result<void> CreateTextures(const RunnerOptions& options);
-  Result<void> CreateSteps(std::vector<PassProgram> programs);
+  Result<void> CreateSteps(std::vector<StepPrograms> programs);
   [[nodiscard]] bool LooksAtSource() const;
   void ListAttributes();
   void ClearAtStart();
   Result<void> RunStep(std::size_t index, const FrameContext& context);
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
   void DrawQuad(const PassStep& step);
+  [[nodiscard]] std::uint32_t MaterialTexture(const PassStep& step, const SceneDraw& draw, TextureMeaning meaning,
+                                              bool is_decoded) const;
   [[nodiscard]] bool IsFor(const PassStep& step, const SceneDraw& draw) const;
   [[nodiscard]] std::uint32_t Environment() const { return environment_ ? environment_() : 0u; }
 
@@ -75,7 +93,7 @@ class Runner final : public EffectRunner {
 
 Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect> effect, const RunnerOptions& options,
                                                TechniqueChoice choice, Schedule schedule,
-                                               std::vector<PassProgram> programs) {
+                                               std::vector<StepPrograms> programs) {
   std::unique_ptr<Runner> runner(new Runner(std::move(effect), std::move(choice), std::move(schedule)));
   if (auto made = runner->CreateTextures(options); !made) return std::unexpected(made.error());
   if (auto made = runner->CreateSteps(std::move(programs)); !made) return std::unexpected(made.error());
@@ -129,7 +147,7 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   return {};
 }
 
-Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
+Result<void> Runner::CreateSteps(std::vector<StepPrograms> programs) {
   const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   for (std::size_t i = 0; i < schedule_.steps.size(); ++i) {
@@ -151,7 +169,7 @@ Result<void> Runner::CreateSteps(std::vector<PassProgram> programs) {
 bool Runner::LooksAtSource() const {
   return std::any_of(schedule_.steps.begin(), schedule_.steps.end(), [&](const Step& step) {
     if (step.kind != Step::Kind::kPass || !step.shows_source) return false;
-    const auto& samplers = effect_->techniques[step.technique].passes[step.pass].program.samplers;
+    const auto samplers = fx::SamplersOf(effect_->techniques[step.technique].passes[step.pass]);
     return std::any_of(samplers.begin(), samplers.end(), [&](std::size_t sampler) {
       return textures_->HostMeaning(effect_->samplers[sampler]) == TextureMeaning::kBaseColor;
     });
@@ -185,6 +203,20 @@ void Runner::ClearAtStart() {
   if (schedule_.clears_frame_at_start) clear(frame_, 0.0f);
 }
 
+// An object without a texture has one of its colour, unless the effect gets that by a parameter too.
+std::uint32_t Runner::MaterialTexture(const PassStep& step, const SceneDraw& draw, TextureMeaning meaning,
+                                      bool is_decoded) const {
+  const std::uint32_t texture = draw.texture ? draw.texture(meaning, is_decoded) : 0u;
+  if (texture != 0 || meaning != TextureMeaning::kBaseColor || values_->has_material_color() || step.lights_material())
+    return texture;
+  std::array<std::uint8_t, 4> color{};
+  for (int i = 0; i < 4; ++i) {
+    color[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(std::clamp(draw.material.diffuse[i], 0.0f, 1.0f) * 255.0f));
+  }
+  return textures_->stand_ins().Plain(color);
+}
+
 // Whether the object is drawn by the step's technique, where objects choose among several.
 bool Runner::IsFor(const PassStep& step, const SceneDraw& draw) const {
   if (choice_.by_object.empty() || !effect_->techniques[step.technique()].custom_attribute.empty()) return true;
@@ -196,18 +228,19 @@ bool Runner::IsFor(const PassStep& step, const SceneDraw& draw) const {
 
 Result<void> Runner::DrawScene(PassStep& step, const FrameContext& context) {
   FrameContext object = context;
+  const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   for (const SceneDraw& draw : draws_) {
     if (!IsFor(step, draw)) continue;
     object.world_from_object = draw.world_from_object;
     object.material = draw.material;
     values_->SetObject(object);
-    step.UpdateParameters(*values_);
+    step.UpdateObject(*effect_, *values_, object, lookup);
     // Models wind their front faces counter-clockwise, and a mirroring matrix turns them round; effects of Direct3D
     // expect clockwise ones.
     step.SetFrontFace(glm::determinant(draw.world_from_object) < 0.0f);
     step.BindHostTextures([&](TextureMeaning meaning, bool is_decoded) {
       if (meaning == TextureMeaning::kEnvironment) return Environment();
-      return IsOfMaterial(meaning) && draw.texture ? draw.texture(meaning, is_decoded) : 0u;
+      return IsOfMaterial(meaning) ? MaterialTexture(step, draw, meaning, is_decoded) : 0u;
     });
     draw.draw();
   }
@@ -252,14 +285,19 @@ Result<void> Runner::RunStep(std::size_t index, const FrameContext& context) {
     return {};
   }
   auto& step = std::get<PassStep>(steps_[index]);
+  const auto viewer = LightOf(LowerCase(schedule_.steps[index].viewer));
+  const FrameContext seen = viewer ? SeenFromLight(context, *viewer) : context;
+  if (viewer) values_->SetFrame(seen);
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   if (auto bound = step.Begin(*effect_, *textures_, *values_, lookup, warnings_); !bound) return bound;
   if (step.draws_scene()) {
-    if (auto drawn = DrawScene(step, context); !drawn) return drawn;
+    if (auto drawn = DrawScene(step, seen); !drawn) return drawn;
   } else {
+    step.UpdateObject(*effect_, *values_, seen, lookup);
     DrawQuad(step);
   }
   step.End();
+  if (viewer) values_->SetFrame(context);
   return {};
 }
 
@@ -280,8 +318,8 @@ std::string DeviceRefusal(const fx::Pass& pass) {
 }
 
 // Every step's program, or why this device cannot run one of them.
-Result<std::vector<PassProgram>> CompilePrograms(const fx::Effect& effect, const Schedule& schedule) {
-  std::vector<PassProgram> programs;
+Result<std::vector<StepPrograms>> CompilePrograms(const fx::Effect& effect, const Schedule& schedule) {
+  std::vector<StepPrograms> programs;
   for (const Step& step : schedule.steps) {
     if (step.kind != Step::Kind::kPass) {
       programs.emplace_back();
@@ -292,9 +330,18 @@ Result<std::vector<PassProgram>> CompilePrograms(const fx::Effect& effect, const
     const std::string label = fmt::format("{}: technique '{}', pass '{}'", effect.path, technique.name, pass.name);
     if (const std::string refusal = DeviceRefusal(pass); !refusal.empty())
       return Fail(ErrorKind::kInput, label + ": " + refusal);
-    auto program = PassProgram::Create(effect, pass.program, label);
-    if (!program) return std::unexpected(program.error());
-    programs.push_back(std::move(*program));
+    StepPrograms& own = programs.emplace_back();
+    const auto add = [&](const fx::ShaderProgram& shaders) -> Result<void> {
+      auto program = PassProgram::Create(effect, shaders, label);
+      if (!program) return std::unexpected(program.error());
+      own.push_back(std::move(*program));
+      return {};
+    };
+    if (auto added = add(pass.program); !added) return std::unexpected(added.error());
+    for (const fx::ShaderProgram& choice : pass.choices) {
+      if (choice.vertex_glsl.empty()) continue;
+      if (auto added = add(choice); !added) return std::unexpected(added.error());
+    }
   }
   return programs;
 }

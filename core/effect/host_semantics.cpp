@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "core/effect/control_object.h"
 #include "core/effect/host_value.h"
+#include "core/effect/light_view.h"
 #include "core/effect/text.h"
 #include "fx_parser/effect/parameter_meaning.h"
+#include "fx_parser/effect/sas_address.h"
+#include "fx_parser/semantics/conversion.h"
 
 namespace burin::effect {
 namespace {
@@ -148,20 +150,6 @@ constexpr std::string_view kDefaultOnly[] = {"standardsglobal",
                                              "falloffangle",
                                              "falloffexponent"};
 
-// "light", "pointlight1", "spotlight_0", "directionallight 2", "lamp": which light; empty for what is none.
-std::optional<std::size_t> LightOf(std::string_view object) {
-  for (const std::string_view kind : {"point", "spot", "directional", "dir", "distant"}) {
-    if (Eat(object, kind)) break;
-  }
-  if (!Eat(object, "light") && !Eat(object, "lamp")) return std::nullopt;
-  while (!object.empty() && (object.front() == '_' || object.front() == ' ')) object.remove_prefix(1);
-  if (object.empty()) return 0;
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(object.data(), object.data() + object.size(), number);
-  if (error != std::errc() || end != object.data() + object.size()) return std::nullopt;
-  return number;
-}
-
 std::optional<Kind> KindOfLight(std::string_view semantic) {
   if (semantic == "position") return Kind::kLightPosition;
   if (semantic == "direction") return Kind::kLightDirection;
@@ -263,7 +251,17 @@ std::optional<HostValue> FindByMeaning(const fx::Parameter& parameter, const fx:
       if (named.name == semantic) return Constant(named.value);
     }
   }
-  return ParseMatrix(semantic);
+  auto matrix = ParseMatrix(semantic);
+  if (!matrix || (!matrix->view && !matrix->projection)) return matrix;
+  const fx::EffectAnnotation* frustum = fx::FindAnnotation(parameter.annotations, "frustum");
+  const std::string viewer = frustum != nullptr && !frustum->value.strings.empty()
+                                 ? LowerCase(frustum->value.strings.front())
+                                 : meaning.object;
+  if (const auto light = LightOf(viewer)) {
+    matrix->is_seen_from_light = true;
+    matrix->light = *light;
+  }
+  return matrix;
 }
 
 bool IsKnown(std::string_view semantic) {
@@ -309,7 +307,7 @@ std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Param
   std::string semantic = meaning.semantic;
   if (semantic.size() > 1 && semantic.ends_with('0')) semantic.pop_back();
   std::optional<HostValue> host;
-  if (!meaning.is_known_address) stays("its SasBindAddress names nothing that is here");
+  if (!meaning.is_known_address && FindHostParts(parameter).empty()) stays("its SasBindAddress names nothing that is here");
   if (meaning.is_implied) host = FindByName(effect, parameter, warnings);
   if (semantic == "controlobject") {
     const auto value = ControlObjectValue(effect, parameter, warnings);
@@ -336,6 +334,30 @@ std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Param
     host->points_to_light = host->kind == Kind::kLightDirection && meaning.is_implied && !parameter.is_negated;
   }
   return host;
+}
+
+std::vector<HostPart> FindHostParts(const fx::Parameter& parameter) {
+  const fx::EffectAnnotation* bound = fx::FindAnnotation(parameter.annotations, "SasBindAddress");
+  const fx::Type& type = parameter.type;
+  if (bound == nullptr || bound->value.strings.empty() || type.kind != fx::TypeKind::kStruct ||
+      type.structure == nullptr || type.array.size() > 1) {
+    return {};
+  }
+  std::vector<HostPart> parts;
+  std::size_t offset = 0;
+  const std::size_t count = type.is_array() ? type.array.front() : 1;
+  for (std::size_t element = 0; element < count; ++element) {
+    std::string address = bound->value.strings.front();
+    if (const std::size_t star = address.find('*'); star != std::string::npos)
+      address.replace(star, 1, std::to_string(element));
+    for (const auto& member : type.structure->members) {
+      const auto meaning = fx::MeaningOfSasAddress(address + "." + member->name);
+      const auto host = meaning ? FindByMeaning(parameter, *meaning, meaning->semantic) : std::nullopt;
+      if (host && Fits(host->kind, member->type)) parts.push_back({offset, member->type, *host});
+      offset += static_cast<std::size_t>(fx::FlatComponents(member->type));
+    }
+  }
+  return parts;
 }
 
 }  // namespace burin::effect

@@ -2,26 +2,32 @@
 #include "core/effect/host_value.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "core/effect/light_view.h"
 
 namespace burin::effect {
 namespace {
 
 using Kind = HostValue::Kind;
 
-// How far away a light without a place is put: in the scene's radii, and in scene units where that is not known.
-constexpr float kLightDistance = 4.0f;
-constexpr float kFarLight = 1.0e4f;
-
 // Light from all around, of effects that ask for it: no scene says how much there is.
-constexpr glm::vec3 kAmbientLight(0.25f);
+constexpr glm::vec3 kAmbientLight(0.35f);
+// What of its diffuse colour a material shows of it.
+constexpr float kAmbientShare = 0.5f;
 
 glm::mat4 Matrix(const HostValue& host, const FrameContext& context) {
   glm::mat4 matrix(1.0f);
   if (host.world) matrix = context.world_from_object;
-  if (host.view) matrix = (host.previous ? context.previous_view_from_world : context.view_from_world) * matrix;
-  if (host.projection) matrix = (host.previous ? context.previous_clip_from_view : context.clip_from_view) * matrix;
+  if (host.is_seen_from_light) {
+    const LightView view = LightViewOf(context, host.light);
+    if (host.view) matrix = view.view_from_world * matrix;
+    if (host.projection) matrix = view.clip_from_view * matrix;
+  } else if (host.view) {
+    matrix = (host.previous ? context.previous_view_from_world : context.view_from_world) * matrix;
+  }
+  if (host.projection && !host.is_seen_from_light)
+    matrix = (host.previous ? context.previous_clip_from_view : context.clip_from_view) * matrix;
   if (host.inverse) matrix = glm::inverse(matrix);
   if (host.transpose) matrix = glm::transpose(matrix);
   return matrix;
@@ -37,24 +43,6 @@ glm::vec4 InSpace(const HostValue& host, const FrameContext& context, const glm:
       return glm::inverse(context.world_from_object) * world;
   }
   return world;
-}
-
-std::optional<LightContext> LightAt(const FrameContext& context, std::size_t index) {
-  if (index == 0) return LightContext{context.light_position_world, context.light_direction_world, context.light_color};
-  if (index < context.lights.size()) return context.lights[index];
-  return std::nullopt;
-}
-
-glm::vec3 PositionOf(const LightContext& light, const FrameContext& context) {
-  if (light.position) return *light.position;
-  if (context.scene_radius <= 0.0f) return light.direction * -kFarLight;
-  return context.scene_center_world - light.direction * (kLightDistance * context.scene_radius);
-}
-
-glm::vec3 DirectionOf(const LightContext& light, const FrameContext& context) {
-  if (!light.position || context.scene_radius <= 0.0f) return light.direction;
-  const glm::vec3 towards = context.scene_center_world - *light.position;
-  return glm::dot(towards, towards) > 0.0f ? glm::normalize(towards) : light.direction;
 }
 
 std::optional<glm::vec4> OfLight(const HostValue& host, const FrameContext& context, std::size_t element) {
@@ -83,7 +71,7 @@ glm::vec4 OfMaterial(const HostValue& host, const MaterialContext& material) {
     case Kind::kMaterialDiffuse:
       return material.diffuse;
     case Kind::kMaterialAmbient:
-      return {glm::vec3(material.diffuse), 1.0f};
+      return {glm::vec3(material.diffuse) * kAmbientShare, 1.0f};
     case Kind::kMaterialSpecular:
       return {material.specular, 1.0f};
     case Kind::kMaterialEmissive:
@@ -142,11 +130,11 @@ void WriteMatrix(const glm::mat4& matrix, const fx::Type& type, bool column_vect
 }  // namespace
 
 void Evaluate(const HostValue& host, const FrameContext& context, std::span<const glm::ivec2> texture_sizes,
-              const fx::Type& type, bool column_vectors, std::vector<double>& numbers) {
+              const fx::Type& type, bool column_vectors, std::span<double> numbers) {
   if (host.yields_to_default && !context.has_scene) return;
   const auto size = static_cast<std::size_t>(type.components());
   for (std::size_t element = 0; (element + 1) * size <= numbers.size(); ++element) {
-    const std::span<double> part = std::span(numbers).subspan(element * size, size);
+    const std::span<double> part = numbers.subspan(element * size, size);
     if (host.kind == Kind::kMatrix) {
       WriteMatrix(Matrix(host, context), type, column_vectors, part);
     } else if (host.kind == Kind::kFrame) {

@@ -30,6 +30,7 @@ struct HostValue {
   bool inverse = false, transpose = false;
   Space space = Space::kWorld;                             ///< of positions and directions
   std::size_t light = 0;                                   ///< which; those of an array are it and the next
+  bool is_seen_from_light = false;                         ///< a matrix of that light's view, for shadow maps
   bool points_to_light = false;                            ///< of kLightDirection: not as it shines
   bool yields_to_default = false;   ///< the file's own value is better than what is made up for a picture
   std::array<double, 4> constant{};
@@ -45,10 +46,19 @@ struct HostValue {
 [[nodiscard]] std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Parameter& parameter,
                                                      std::vector<std::string>& warnings);
 
+/// A part of a parameter: a member of a struct of DXSAS's lights, or of one in an array of them.
+struct HostPart {
+  std::size_t offset = 0;   ///< in fx::Value::numbers
+  fx::Type type;
+  HostValue host;
+};
+/// Of a struct whose SasBindAddress names a light, ambient light or camera; else empty.
+[[nodiscard]] std::vector<HostPart> FindHostParts(const fx::Parameter& parameter);
+
 /// Writes the value into `numbers`, which has as many as the parameter's type has components, arrays element after
 /// element. Matrices are written as Direct3D's rows: `mul(vector, matrix)` transforms. `column_vectors`: as CgFX's, for
 /// `mul(matrix, vector)`. Where the context has no such thing (a second light), `numbers` stay as they are.
 void Evaluate(const HostValue& host, const FrameContext& context, std::span<const glm::ivec2> texture_sizes,
-              const fx::Type& type, bool column_vectors, std::vector<double>& numbers);
+              const fx::Type& type, bool column_vectors, std::span<double> numbers);
 
 }  // namespace burin::effect

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/effect/fixed_values.h"
 #include "core/effect/srgb_view.h"
 #include "core/effect/state_binder.h"
 #include "core/effect/target_format.h"
@@ -41,7 +42,7 @@ std::array<float, 4> ClearColor(const fx::Texture& texture) {
 
 }  // namespace
 
-Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, PassProgram program,
+Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, std::vector<PassProgram> programs,
                                   const FrameTexture& frame, TextureStore& textures, const fx::ParameterLookup& lookup,
                                   std::vector<std::string>& warnings) {
   PassStep result;
@@ -49,7 +50,7 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, Pa
   const fx::Pass& pass = PassOf(effect, step);
   result.label_ = fmt::format("{}: technique '{}', pass {}", effect.path, effect.techniques[step.technique].name,
                               pass.name.empty() ? fmt::format("{}", step.pass) : fmt::format("'{}'", pass.name));
-  result.program_ = std::move(program);
+  result.is_fixed_vertex_ = pass.fixed && pass.fixed->is_vertex;
   for (const fx::PassState& state : pass.states) {
     if (const auto* value = std::get_if<fx::Value>(&state.value)) {
       if (const std::string fault = SetState(result.states_, state.name, *value); !fault.empty()) {
@@ -63,7 +64,17 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, Pa
     warnings.push_back(fmt::format("{}: ScissorTestEnable is ignored: there is no scissor rectangle", result.label_));
   }
   if (auto made = result.CreateTargets(effect, frame, textures, warnings); !made) return std::unexpected(made.error());
-  result.CreateSamplers(effect, textures, lookup, warnings);
+  const auto add = [&](const fx::ShaderProgram& shaders) {
+    Variant variant{.program = std::move(programs[result.variants_.size()]), .samplers = {}, .written = shaders.targets};
+    result.CreateSamplers(effect, shaders.samplers, textures, lookup, variant.samplers, warnings);
+    result.variants_.push_back(std::move(variant));
+  };
+  add(pass.program);
+  for (const fx::ShaderProgram& choice : pass.choices) {
+    const bool is_there = !choice.vertex_glsl.empty();
+    if (is_there) add(choice);
+    result.choices_.push_back(is_there ? result.variants_.size() - 1 : 0);
+  }
   return result;
 }
 
@@ -120,9 +131,10 @@ Result<gl::FramebufferHandle> PassStep::CreateSrgbFramebuffer(const fx::Effect& 
   return CreateFramebuffer(colors, depth_stencil, label_);
 }
 
-void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, const fx::ParameterLookup& lookup,
-                              std::vector<std::string>& warnings) {
-  for (const std::size_t index : PassOf(effect, step_).program.samplers) {
+void PassStep::CreateSamplers(const fx::Effect& effect, const std::vector<std::size_t>& samplers,
+                              TextureStore& textures, const fx::ParameterLookup& lookup,
+                              std::vector<BoundSampler>& all, std::vector<std::string>& warnings) {
+  for (const std::size_t index : samplers) {
     const fx::Sampler& sampler = effect.samplers[index];
     BoundSampler bound{.index = index,
                        .sampler = CreateSampler(),
@@ -155,7 +167,7 @@ void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, 
     }
     UpdateSampler(bound.sampler, bound.states);
     bound.texture = textures.ForSampler(sampler, bound.states.srgb);
-    samplers_.push_back(std::move(bound));
+    all.push_back(std::move(bound));
   }
 }
 
@@ -187,8 +199,9 @@ HostUniforms PassStep::MakeHostUniforms(const fx::Effect& effect, const RenderSt
 }
 
 void PassStep::BindSamplers(const fx::Effect& effect, const TextureStore& textures, const fx::ParameterLookup& lookup) {
-  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
-    BoundSampler& bound = samplers_[unit];
+  std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  for (std::size_t unit = 0; unit < samplers.size(); ++unit) {
+    BoundSampler& bound = samplers[unit];
     if (bound.is_dynamic) {
       const fx::Sampler& sampler = effect.samplers[bound.index];
       SamplerStates states = bound.states;
@@ -211,6 +224,7 @@ void PassStep::BindSamplers(const fx::Effect& effect, const TextureStore& textur
 
 Result<void> PassStep::Begin(const fx::Effect& effect, const TextureStore& textures, const ParameterValues& values,
                              const fx::ParameterLookup& lookup, std::vector<std::string>& warnings) {
+  current_ = Choose(effect, lookup);
   RenderStates states = states_;
   for (const fx::PassState* state : dynamic_states_) {
     const auto value = fx::EvaluateExpression(effect, *std::get<const fx::ast::Expression*>(state->value), lookup);
@@ -229,19 +243,42 @@ Result<void> PassStep::Begin(const fx::Effect& effect, const TextureStore& textu
   BindStates(states, {.writable = writable_, .has_depth_stencil = step_.uses_depth_stencil},
              /*front_is_clockwise=*/true);
   BindSamplers(effect, textures, lookup);
-  program_.Use(values, MakeHostUniforms(effect, states));
+  variants_[current_].program.Use(values, MakeHostUniforms(effect, states));
   return {};
 }
 
+// The variant that the parameters choose now; an index outside its array is its nearest end.
+std::size_t PassStep::Choose(const fx::Effect& effect, const fx::ParameterLookup& lookup) const {
+  if (choices_.empty()) return 0;
+  const fx::Pass& pass = PassOf(effect, step_);
+  const auto index = [&](const fx::ShaderChoice& choice) -> std::size_t {
+    if (choice.index == nullptr) return 0;
+    const auto value = fx::EvaluateExpression(effect, *choice.index, lookup);
+    const double at = value && !value->numbers.empty() ? value->numbers[0] : 0.0;
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(choice.count - 1)));
+  };
+  return choices_[index(pass.vertex_choice) * pass.pixel_choice.count + index(pass.pixel_choice)];
+}
+
+void PassStep::UpdateObject(const fx::Effect& effect, const ParameterValues& values, const FrameContext& context,
+                            const fx::ParameterLookup& lookup) {
+  PassProgram& program = variants_[current_].program;
+  program.UpdateParameters(values);
+  const fx::Pass& pass = PassOf(effect, step_);
+  if (pass.fixed && program.has_fixed()) program.SetFixed(FixedValues(effect, *pass.fixed, context, lookup));
+}
+
 bool PassStep::Shows(TextureMeaning meaning) const {
-  return std::any_of(samplers_.begin(), samplers_.end(),
+  const std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  return std::any_of(samplers.begin(), samplers.end(),
                      [&](const BoundSampler& bound) { return bound.meaning == meaning; });
 }
 
 void PassStep::BindHostTextures(const std::function<std::uint32_t(TextureMeaning, bool)>& texture) const {
   if (!texture) return;
-  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
-    const BoundSampler& bound = samplers_[unit];
+  const std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  for (std::size_t unit = 0; unit < samplers.size(); ++unit) {
+    const BoundSampler& bound = samplers[unit];
     if (!bound.meaning) continue;
     const std::uint32_t given = texture(*bound.meaning, bound.states.srgb);
     glBindTextureUnit(static_cast<GLuint>(unit), given != 0 ? given : bound.texture);
@@ -251,7 +288,7 @@ void PassStep::BindHostTextures(const std::function<std::uint32_t(TextureMeaning
 void PassStep::SetFrontFace(bool clockwise) const { glFrontFace(clockwise ? GL_CW : GL_CCW); }
 
 void PassStep::End() const {
-  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
+  for (std::size_t unit = 0; unit < variants_[current_].samplers.size(); ++unit) {
     glBindSampler(static_cast<GLuint>(unit), 0);
     glBindTextureUnit(static_cast<GLuint>(unit), 0);
   }

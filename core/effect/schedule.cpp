@@ -19,7 +19,7 @@ const fx::Pass& PassOf(const fx::Effect& effect, const Step& step) {
 
 void CollectTextures(const fx::Effect& effect, const fx::Technique& technique, std::set<std::size_t>& textures) {
   for (const fx::Pass& pass : technique.passes) {
-    for (const std::size_t sampler : pass.program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(pass)) {
       if (effect.samplers[sampler].texture) textures.insert(*effect.samplers[sampler].texture);
     }
     textures.insert(pass.targets.begin(), pass.targets.end());
@@ -71,9 +71,15 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
   }
 }
 
+// The last pass of some engines' techniques only puts states back.
+bool DrawsNothing(const fx::Technique& technique, std::size_t pass) {
+  return technique.passes.size() > 1 && technique.passes[pass].restores_states;
+}
+
 void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std::size_t> custom_target,
               glm::ivec2 frame, bool has_scene, Schedule& schedule) {
   for (std::size_t pass = 0; pass < effect.techniques[technique].passes.size(); ++pass) {
+    if (DrawsNothing(effect.techniques[technique], pass)) continue;
     Step step;
     step.technique = technique;
     step.pass = pass;
@@ -94,7 +100,7 @@ void PlanClears(const fx::Effect& effect, Schedule& schedule) {
   std::set<std::size_t> touched;
   bool frame_touched = false;
   for (Step& step : schedule.steps) {
-    for (const std::size_t sampler : PassOf(effect, step).program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(PassOf(effect, step))) {
       const auto texture = effect.samplers[sampler].texture;
       if (!texture || touched.contains(*texture)) continue;
       const auto* attribute = std::get_if<fx::AttributeRole>(&effect.textures[*texture].role);

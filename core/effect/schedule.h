@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -42,6 +43,7 @@ struct Step {
   bool uses_depth_stencil = false;     ///< with the buffer that all targets of its size share
   bool clears_depth_stencil = false;
   std::optional<std::size_t> depth_stencil;   ///< a texture of a script whose buffer it is; otherwise its size's
+  std::string viewer;                         ///< the light that the scene is seen from; empty: the camera
   ClearStep clear;
   std::vector<LoopTurn> loop_turns;
 };

@@ -51,6 +51,7 @@ class ScriptRun {
   bool takes_source_ = false;   // by ScriptExternal; then textures are no other way to it
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
+  std::string viewer_;
   ClearStep clear_;            // values as set; what to clear only until it is done
   std::vector<double> turns_;  // of the loops around, innermost last
   std::vector<LoopTurn> loop_turns_;
@@ -68,6 +69,7 @@ void ScriptRun::RunTechnique(std::size_t technique) {
       script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; });
   colors_ = {};
   depth_stencil_.reset();
+  viewer_.clear();
   RunRange(0, script_.size());
   if (clear_.color || clear_.depth || clear_.stencil) AddClear();
 }
@@ -153,6 +155,9 @@ void ScriptRun::RunAction(const fx::ScriptStep& step) {
       std::erase_if(loop_turns_, [&](const LoopTurn& turn) { return turn.parameter == *step.parameter; });
       loop_turns_.push_back({*step.parameter, turns_.empty() ? 0.0 : turns_.back()});
       return;
+    case Action::kViewer:
+      viewer_ = step.viewer;
+      return;
     case Action::kLoop:
     case Action::kLoopEnd:
       return;
@@ -165,6 +170,7 @@ Step ScriptRun::NewStep() const {
   step.technique = technique_;
   step.depth_stencil = depth_stencil_;
   step.loop_turns = loop_turns_;
+  step.viewer = viewer_;
   step.size = colors_[0] ? schedule_.texture_sizes[*colors_[0]] : frame_;
   for (const auto& color : colors_) {
     if (!color || schedule_.texture_sizes[*color] != step.size) break;
@@ -227,7 +233,7 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
   step.pass = draw.pass;
   step.draws_scene = draw.action == Action::kDrawGeometry;
   step.shows_source = !step.draws_scene && !takes_source_;
-  for (const std::size_t sampler : effect_.techniques[technique_].passes[draw.pass].program.samplers) {
+  for (const std::size_t sampler : fx::SamplersOf(effect_.techniques[technique_].passes[draw.pass])) {
     const auto texture = effect_.samplers[sampler].texture;
     const auto* role = texture ? std::get_if<fx::ScriptTargetRole>(&effect_.textures[*texture].role) : nullptr;
     if (role != nullptr && !role->is_depth_stencil && touched_.insert(*texture).second)

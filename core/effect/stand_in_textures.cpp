@@ -123,4 +123,10 @@ std::uint32_t StandInTextures::Get(TextureMeaning meaning, fx::Dimension dimensi
   return texture.id();
 }
 
+std::uint32_t StandInTextures::Plain(const std::array<std::uint8_t, 4>& color) const {
+  gl::TextureHandle& texture = plain_[color];
+  if (!texture) texture = Make(fx::Dimension::k2D, {}, [&](int, int, int) { return color; });
+  return texture.id();
+}
+
 }  // namespace burin::effect

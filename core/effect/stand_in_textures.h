@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -17,9 +18,12 @@ class StandInTextures {
  public:
   /// The texture's GL name. `dimension`: kUnknown is k2D.
   [[nodiscard]] std::uint32_t Get(TextureMeaning meaning, fx::Dimension dimension) const;
+  /// One 2D texel of this colour, 8 bits each.
+  [[nodiscard]] std::uint32_t Plain(const std::array<std::uint8_t, 4>& color) const;
 
  private:
   mutable std::map<std::pair<TextureMeaning, fx::Dimension>, gl::TextureHandle> textures_;
+  mutable std::map<std::array<std::uint8_t, 4>, gl::TextureHandle> plain_;
 };
 
 }  // namespace burin::effect

@@ -68,7 +68,7 @@ bool FindUsable(const fx::Effect& effect, std::size_t first, TechniqueChoice& ch
 std::vector<const fx::Texture*> AttributesRead(const fx::Effect& effect, std::size_t technique) {
   std::set<std::size_t> indices;
   for (const fx::Pass& pass : effect.techniques[technique].passes) {
-    for (const std::size_t sampler : pass.program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(pass)) {
       if (effect.samplers[sampler].texture) indices.insert(*effect.samplers[sampler].texture);
     }
   }

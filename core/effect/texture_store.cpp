@@ -34,7 +34,7 @@ bool IsGivenByHost(const fx::Effect& effect, const Schedule& schedule, std::size
   if (!IsOfMaterial(meaning)) return false;
   for (const Step& step : schedule.steps) {
     if (step.kind != Step::Kind::kPass) continue;
-    const auto& samplers = effect.techniques[step.technique].passes[step.pass].program.samplers;
+    const auto samplers = fx::SamplersOf(effect.techniques[step.technique].passes[step.pass]);
     const bool looks = std::any_of(samplers.begin(), samplers.end(),
                                    [&](std::size_t sampler) { return effect.samplers[sampler].texture == texture; });
     const bool is_given = step.draws_scene || (step.shows_source && has_source && meaning == TextureMeaning::kBaseColor);

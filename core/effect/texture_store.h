@@ -42,6 +42,7 @@ class TextureStore {
   [[nodiscard]] std::uint32_t ForSampler(const fx::Sampler& sampler, bool srgb) const;
   /// What a sampler shows that has no texture with a file, so that ForSampler() gives a stand-in; empty: it has one.
   [[nodiscard]] std::optional<TextureMeaning> HostMeaning(const fx::Sampler& sampler) const;
+  [[nodiscard]] const StandInTextures& stand_ins() const { return stand_ins_; }
   /// Makes the views that `ForSampler(..., true)` and sRGB writes need; false when the format has none.
   bool AddSrgbView(std::size_t index);
   [[nodiscard]] std::uint32_t srgb_view(std::size_t index) const;

@@ -61,7 +61,7 @@ std::string TechniqueText(const fx::Effect& effect, std::size_t index, const eff
 
 PassFlow FlowOf(const fx::Effect& effect, const fx::Pass& pass) {
   PassFlow flow;
-  for (const std::size_t sampler : pass.program.samplers) {
+  for (const std::size_t sampler : fx::SamplersOf(pass)) {
     if (effect.samplers[sampler].texture) AddOnce(flow.reads, *effect.samplers[sampler].texture);
   }
   for (const std::size_t target : pass.targets) AddOnce(flow.writes, target);

@@ -190,10 +190,11 @@ class SceneSource final : public Source {
       context.scene_center_world = 0.5f * (camera_.bounds.min + camera_.bounds.max);
       context.scene_radius = 0.5f * glm::length(camera_.bounds.max - camera_.bounds.min);
     }
-    for (const int node : gbuffer::LightNodes(scene_)) context.lights.push_back(LightAt(frame.pose, node));
+    const std::vector<int> nodes = gbuffer::LightNodes(scene_);
+    for (const int node : nodes) context.lights.push_back(LightAt(frame.pose, node, nodes.front()));
   }
 
-  [[nodiscard]] effect::LightContext LightAt(const scene::Pose& pose, int node) const {
+  [[nodiscard]] effect::LightContext LightAt(const scene::Pose& pose, int node, int key_node) const {
     const auto index = static_cast<std::size_t>(node);
     const scene::Light& light = scene_.lights[static_cast<std::size_t>(scene_.nodes[index].light)];
     const glm::mat4& world = pose.world_from_node.at(index);
@@ -201,7 +202,12 @@ class SceneSource final : public Source {
     effect::LightContext context;
     if (light.type != scene::LightType::kDirectional) context.position = glm::vec3(world[3]);
     if (glm::dot(axis, axis) > 0.0f) context.direction = glm::normalize(axis);
-    context.color = glm::vec4(light.color, 1.0f);
+    // Effects know no intensities: the key light's is 1, and no other is brighter.
+    const scene::Light& key =
+        scene_.lights[static_cast<std::size_t>(scene_.nodes[static_cast<std::size_t>(key_node)].light)];
+    const bool compares = key.type == light.type && key.intensity > 0.0f;
+    const float share = node == key_node ? 1.0f : compares ? std::min(light.intensity / key.intensity, 1.0f) : 0.5f;
+    context.color = glm::vec4(light.color * share, 1.0f);
     context.range = light.range.value_or(0.0f);
     return context;
   }

@@ -52,7 +52,9 @@ bool Draws(const ScriptStep& step) {
 }
 
 /// Whether the vertex shader means a scene's geometry: it projects, or it reads what a quadrilateral has not.
-bool ReadsGeometry(const Effect& effect, const ShaderProgram& program) {
+bool ReadsGeometry(const Effect& effect, const Pass& pass) {
+  const ShaderProgram& program = pass.program;
+  if (pass.fixed && pass.fixed->is_vertex) return true;
   if (program.vertex_entry.empty()) return false;
   const bool projects = std::ranges::any_of(program.parameters, [&](std::size_t parameter) {
     return IsProjection(MeaningOf(effect.parameters[parameter], true).semantic);
@@ -137,9 +139,11 @@ void EffectBuilder::AddScriptCommand(const ScriptCommand& command, const ast::Te
     case ScriptVerb::kLoopEnd:
       return script.push_back(Step(Action::kLoopEnd));
     case ScriptVerb::kRenderPort:
-      if (!command.value.empty())
-        WarnScript(range, "RenderPort is ignored: the scene is seen by the camera, not by '" + command.value + "'");
-      return;
+    {
+      ScriptStep step = Step(Action::kViewer);
+      step.viewer = command.value;
+      return script.push_back(step);
+    }
     case ScriptVerb::kTechnique:
     case ScriptVerb::kSignature:
       return;
@@ -217,7 +221,7 @@ void EffectBuilder::BuildScripts() {
   if (effect_.uses_extension) return;
   for (Technique& technique : effect_.techniques) {
     for (Pass& pass : technique.passes) {
-      pass.projects = ReadsGeometry(effect_, pass.program);
+      pass.projects = ReadsGeometry(effect_, pass);
     }
   }
 }
