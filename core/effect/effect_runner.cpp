@@ -10,6 +10,7 @@
 
 #include "core/effect/light_view.h"
 #include "core/effect/object_technique.h"
+#include "core/effect/offscreen.h"
 #include "core/effect/parameter_override.h"
 #include "core/effect/parameter_range.h"
 #include "core/effect/parameter_values.h"
@@ -52,6 +53,8 @@ class Runner final : public EffectRunner {
   const TechniqueChoice& choice() const override { return choice_; }
   image::Encoding frame_encoding() const override { return frame_encoding_; }
   bool needs_scene() const override {
+    if (std::any_of(offscreen_.begin(), offscreen_.end(), [](const auto& o) { return o.second->needs_scene(); }))
+      return true;
     return std::any_of(schedule_.steps.begin(), schedule_.steps.end(), [](const Step& s) { return s.draws_scene; });
   }
   const std::vector<std::string>& warnings() const override { return warnings_; }
@@ -63,7 +66,12 @@ class Runner final : public EffectRunner {
   Result<void> CreateTextures(const RunnerOptions& options);
   Result<void> CreateSteps(std::vector<StepPrograms> programs);
   [[nodiscard]] bool LooksAtSource() const;
+  void CreateOffscreen(const RunnerOptions& options);
+  [[nodiscard]] Result<std::unique_ptr<EffectRunner>> CreateOffscreenRunner(const RunnerOptions& options,
+                                                                            std::size_t index,
+                                                                            const std::string& file) const;
   void ListAttributes();
+  Result<void> RunOffscreen(const FrameContext& context, const SceneDraws& scene);
   void ClearAtStart();
   Result<void> RunStep(std::size_t index, const FrameContext& context);
   Result<void> DrawScene(PassStep& step, const FrameContext& context);
@@ -81,11 +89,14 @@ class Runner final : public EffectRunner {
   std::vector<std::string> warnings_;
   gl::FullscreenQuad quad_;
   gl::Texture frame_;
+  std::array<float, 4> clear_color_{};
   gl::TextureHandle frame_srgb_;
   std::optional<TextureStore> textures_;
   std::optional<ParameterValues> values_;
   std::vector<std::variant<PassStep, TargetStep>> steps_;  ///< one for each of the schedule's
   gl::Texture source_;                                     ///< what ScriptExternal draws; a caller fills it
+  /// Effects that draw into offscreen targets, by the target's index in Effect::textures.
+  std::vector<std::pair<std::size_t, std::unique_ptr<EffectRunner>>> offscreen_;
   std::function<std::uint32_t()> environment_;
   gl::FramebufferHandle scratch_framebuffer_;
   std::vector<SceneDraw> draws_;
@@ -98,6 +109,7 @@ Result<std::unique_ptr<Runner>> Runner::Create(std::shared_ptr<const fx::Effect>
   if (auto made = runner->CreateTextures(options); !made) return std::unexpected(made.error());
   if (auto made = runner->CreateSteps(std::move(programs)); !made) return std::unexpected(made.error());
   runner->ListAttributes();
+  runner->CreateOffscreen(options);
   auto quad = gl::FullscreenQuad::Create();
   if (!quad) return std::unexpected(quad.error());
   runner->quad_ = std::move(*quad);
@@ -126,6 +138,7 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
   if (!frame) return std::unexpected(frame.error());
   frame_ = std::move(*frame);
   environment_ = options.environment;
+  clear_color_ = options.clear_color;
   schedule_.copies_source |= options.has_source && LooksAtSource();
   if (schedule_.copies_source) {
     auto source =
@@ -148,7 +161,7 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
 }
 
 Result<void> Runner::CreateSteps(std::vector<StepPrograms> programs) {
-  const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_};
+  const FrameTexture frame{.texture = &frame_, .srgb = &frame_srgb_, .clear_color = clear_color_};
   const auto lookup = [this](std::size_t parameter) -> const fx::Value& { return values_->value(parameter); };
   for (std::size_t i = 0; i < schedule_.steps.size(); ++i) {
     const Step& step = schedule_.steps[i];
@@ -189,18 +202,72 @@ void Runner::ListAttributes() {
     attributes_.push_back({.attribute = "color", .texture = &source_, .encoding = frame_encoding_});
 }
 
+// What is drawn into offscreen targets: nothing, the source as it is, or the scene by an effect of its own.
+void Runner::CreateOffscreen(const RunnerOptions& options) {
+  for (const std::size_t index : schedule_.offscreen) {
+    OffscreenContent content = ContentOf(effect_->textures[index]);
+    const bool is_effect = content.kind == OffscreenContent::Kind::kEffect;
+    if (is_effect && options.has_scene && options.open_effect) {
+      auto runner = CreateOffscreenRunner(options, index, content.file);
+      if (runner) {
+        for (const AttributeTarget& target : (*runner)->attributes()) attributes_.push_back(target);
+        for (const std::string& warning : (*runner)->warnings()) warnings_.push_back(warning);
+        offscreen_.emplace_back(index, *std::move(runner));
+        continue;
+      }
+      warnings_.push_back(fmt::format("{}: offscreen target '{}' shows the scene as it is: {}", effect_->path,
+                                      effect_->textures[index].name, runner.error().message));
+    }
+    if (content.kind == OffscreenContent::Kind::kNothing || (is_effect && !options.has_scene)) {
+      schedule_.cleared_at_start.push_back(index);
+      continue;
+    }
+    attributes_.push_back(
+        {.attribute = "color", .texture = textures_->texture(index), .encoding = image::Encoding::kDisplay});
+  }
+}
+
+Result<std::unique_ptr<EffectRunner>> Runner::CreateOffscreenRunner(const RunnerOptions& options, std::size_t index,
+                                                                    const std::string& file) const {
+  auto effect = options.open_effect(file);
+  if (!effect) return std::unexpected(effect.error());
+  const fx::Texture& target = effect_->textures[index];
+  RunnerOptions own = options;
+  own.technique.clear();
+  own.parameters.clear();
+  own.open_effect = nullptr;
+  own.width = textures_->texture(index)->width();
+  own.height = textures_->texture(index)->height();
+  own.display_frame_format = own.linear_frame_format = TargetFormat(target.format);
+  own.clear_color = ClearColor(target);
+  return EffectRunner::Create(*std::move(effect), own);
+}
+
+Result<void> Runner::RunOffscreen(const FrameContext& context, const SceneDraws& scene) {
+  for (const auto& [index, runner] : offscreen_) {
+    const gl::Texture& target = *textures_->texture(index);
+    FrameContext own = context;
+    own.width = target.width();
+    own.height = target.height();
+    const auto frame = runner->Run(own, scene);
+    if (!frame) return std::unexpected(frame.error());
+    glCopyImageSubData((*frame)->id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       target.width(), target.height(), 1);
+  }
+  return {};
+}
+
 void Runner::ClearAtStart() {
-  const auto clear = [this](const gl::Texture& texture, float alpha) {
-    const std::array<float, 4> color{0, 0, 0, alpha};
+  const auto clear = [this](const gl::Texture& texture, const std::array<float, 4>& color) {
     glNamedFramebufferTexture(scratch_framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture.id(), 0);
     glClearNamedFramebufferfv(scratch_framebuffer_.id(), GL_COLOR, 0, color.data());
   };
   for (const std::size_t index : schedule_.cleared_at_start) {
     if (const gl::Texture* texture = textures_->texture(index)) {
-      clear(*texture, HasAlpha(effect_->textures[index].format) ? 0.0f : 1.0f);
+      clear(*texture, ClearColor(effect_->textures[index]));
     }
   }
-  if (schedule_.clears_frame_at_start) clear(frame_, 0.0f);
+  if (schedule_.clears_frame_at_start) clear(frame_, clear_color_);
 }
 
 // An object without a texture has one of its colour, unless the effect gets that by a parameter too.
@@ -262,6 +329,7 @@ void Runner::DrawQuad(const PassStep& step) {
 }
 
 Result<const gl::Texture*> Runner::Run(const FrameContext& context, const SceneDraws& scene) {
+  if (auto drawn = RunOffscreen(context, scene); !drawn) return std::unexpected(drawn.error());
   gl::ResetState();
   values_->SetFrame(context);
   draws_.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,13 +28,16 @@ struct AttributeTarget {
 /// One draw of the scene for a custom attribute's technique: set the matrices of `world_from_object`, then call `draw`.
 struct SceneDraw {
   glm::mat4 world_from_object{1.0f};
-  MaterialContext material;
+  std::function<void()> draw{};       ///< binds the vertex array and draws; the program and states are the effect's
+  MaterialContext material{};
   /// The GL name of one of its material's textures, mipmapped; `is_decoded`: display-encoded ones read as scene-linear.
   /// 0: it has none. Null: no material has any.
-  std::function<std::uint32_t(TextureMeaning meaning, bool is_decoded)> texture;
-  std::function<void()> draw;         ///< binds the vertex array and draws; the program and states are the effect's
+  std::function<std::uint32_t(TextureMeaning meaning, bool is_decoded)> texture{};
 };
 using SceneDraws = std::function<Result<std::vector<SceneDraw>>()>;
+
+/// Compiles the effect of an offscreen target, by its name in the file.
+using EffectOpener = std::function<Result<std::shared_ptr<const fx::Effect>>(const std::string& path)>;
 
 /// Finds and decodes the file of a texture parameter; nothing when there is no such file.
 using TextureLoader = std::function<Result<std::optional<image::Image>>(const std::string& path)>;
@@ -45,6 +49,8 @@ struct RunnerOptions {
   std::string texture_folders;                         ///< where it looks, for messages
   /// The GL name of a cube map of what is all around, display-encoded; null or 0: a grey cube.
   std::function<std::uint32_t()> environment;
+  EffectOpener open_effect;                            ///< null: offscreen targets show the scene
+  std::array<float, 4> clear_color{};                  ///< of the frame
   bool has_source = false;                             ///< a scene or a picture
   bool has_scene = false;                              ///< the source has geometry; otherwise it is a picture
   int width = 0;                                       ///< of the frame

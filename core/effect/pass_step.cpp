@@ -30,16 +30,6 @@ const fx::Pass& PassOf(const fx::Effect& effect, const Step& step) {
   return effect.techniques[step.technique].passes[step.pass];
 }
 
-std::array<float, 4> ClearColor(const fx::Texture& texture) {
-  std::array<float, 4> color{0, 0, 0, HasAlpha(texture.format) ? 0.0f : 1.0f};
-  const fx::EffectAnnotation* annotation = fx::FindAnnotation(texture.annotations, "ClearColor");
-  if (annotation == nullptr) return color;
-  for (std::size_t i = 0; i < 4 && i < annotation->value.numbers.size(); ++i) {
-    if (i < 3 || HasAlpha(texture.format)) color[i] = static_cast<float>(annotation->value.numbers[i]);
-  }
-  return color;
-}
-
 }  // namespace
 
 Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, std::vector<PassProgram> programs,
@@ -89,7 +79,7 @@ Result<void> PassStep::CreateTargets(const fx::Effect& effect, const FrameTextur
     clear_colors_.push_back(clear);
     colors.push_back(texture.id());
   };
-  if (step_.targets.empty()) add(*frame.texture, kAllComponents, {0, 0, 0, 0});
+  if (step_.targets.empty()) add(*frame.texture, kAllComponents, frame.clear_color);
   for (const std::size_t target : step_.targets) {
     const fx::Texture& texture = effect.textures[target];
     add(*textures.texture(target), HasAlpha(texture.format) ? kAllComponents : kNoAlpha, ClearColor(texture));

@@ -24,6 +24,7 @@ namespace burin::effect {
 struct FrameTexture {
   const gl::Texture* texture = nullptr;
   gl::TextureHandle* srgb = nullptr;
+  std::array<float, 4> clear_color{};
 };
 
 /// One step of the schedule with everything that GL needs for it: program, framebuffer, states, samplers.

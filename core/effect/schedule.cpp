@@ -63,6 +63,7 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
       schedule.pass_results.push_back(index);
     } else if (const auto* target = std::get_if<fx::ScriptTargetRole>(&role)) {
       if (!target->is_depth_stencil) schedule.pass_results.push_back(index);
+      if (target->is_offscreen) schedule.offscreen.push_back(index);
     } else if (std::holds_alternative<fx::ProceduralRole>(role)) {
       schedule.procedural.push_back(index);
     } else {

@@ -54,6 +54,7 @@ struct Schedule {
   std::vector<std::size_t> custom_attributes;  ///< textures that scene-drawing steps fill
   std::vector<std::size_t> pass_results;
   std::vector<std::size_t> files;
+  std::vector<std::size_t> offscreen;          ///< of pass_results: what the runner fills before the steps
   std::vector<std::size_t> procedural;         ///< textures that functions fill before the first frame
   /// Targets that a step looks up before any step has drawn into them: cleared as the frame starts.
   std::vector<std::size_t> cleared_at_start;

@@ -236,7 +236,7 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
   for (const std::size_t sampler : fx::SamplersOf(effect_.techniques[technique_].passes[draw.pass])) {
     const auto texture = effect_.samplers[sampler].texture;
     const auto* role = texture ? std::get_if<fx::ScriptTargetRole>(&effect_.textures[*texture].role) : nullptr;
-    if (role != nullptr && !role->is_depth_stencil && touched_.insert(*texture).second)
+    if (role != nullptr && !role->is_depth_stencil && !role->is_offscreen && touched_.insert(*texture).second)
       schedule_.cleared_at_start.push_back(*texture);
   }
   TouchColors(step, true);

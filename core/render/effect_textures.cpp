@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/image/image_module.h"
+#include "core/render/effect_file.h"
 #include "fx_parser/source/file_system.h"
 
 namespace burin::render {
@@ -26,6 +27,19 @@ std::string WithoutFolder(const std::string& path) {
   return folder == std::string::npos ? std::string() : path.substr(folder + 1);
 }
 
+// Empty when there is no such file.
+std::string Find(const std::string& path, const std::vector<std::string>& folders) {
+  const fx::DiskFileSystem files;
+  for (const std::string& name : {path, WithoutFolder(path)}) {
+    for (const std::string& folder : folders) {
+      if (name.empty()) continue;
+      std::string found = files.Find(folder.empty() || name.starts_with('/') ? name : folder + "/" + name);
+      if (!found.empty()) return found;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string TextureFolders(const std::string& effect_path, const std::vector<std::string>& include_folders) {
@@ -39,20 +53,26 @@ effect::TextureLoader TextureLoaderFor(const std::string& effect_path,
                                        const std::vector<std::string>& include_folders) {
   const std::vector<std::string> folders = Folders(effect_path, include_folders);
   return [folders](const std::string& path) -> Result<std::optional<image::Image>> {
-    const fx::DiskFileSystem files;
-    for (const std::string& name : {path, WithoutFolder(path)}) {
-      for (const std::string& folder : folders) {
-        if (name.empty()) continue;
-        const std::string found = files.Find(folder.empty() || name.starts_with('/') ? name : folder + "/" + name);
-        if (found.empty()) continue;
-        auto module = image::LoadImageModule();
-        if (!module) return std::unexpected(module.error());
-        auto picture = (*module)->Read(found);
-        if (!picture) return std::unexpected(picture.error());
-        return std::optional(*std::move(picture));
-      }
+    const std::string found = Find(path, folders);
+    if (found.empty()) return std::optional<image::Image>();
+    auto module = image::LoadImageModule();
+    if (!module) return std::unexpected(module.error());
+    auto picture = (*module)->Read(found);
+    if (!picture) return std::unexpected(picture.error());
+    return std::optional(*std::move(picture));
+  };
+}
+
+effect::EffectOpener EffectOpenerFor(const std::string& effect_path, const std::vector<std::string>& include_folders) {
+  return [effect_path, include_folders](const std::string& path) -> Result<std::shared_ptr<const fx::Effect>> {
+    const std::string found = Find(path, Folders(effect_path, include_folders));
+    if (found.empty()) {
+      return Fail(ErrorKind::kInput, fmt::format("'{}' not found; searched: {}", path,
+                                                 TextureFolders(effect_path, include_folders)));
     }
-    return std::optional<image::Image>();
+    const EffectFile file = CompileEffectFile(found, {include_folders, {}});
+    if (!file.effect) return std::unexpected(ErrorOf(file));
+    return file.effect;
   };
 }
 

@@ -14,6 +14,10 @@ namespace burin::render {
 [[nodiscard]] effect::TextureLoader TextureLoaderFor(const std::string& effect_path,
                                                      const std::vector<std::string>& include_folders);
 
+/// Compiles effects that others name, found in the same places. Errors: kInput, naming the file.
+[[nodiscard]] effect::EffectOpener EffectOpenerFor(const std::string& effect_path,
+                                                   const std::vector<std::string>& include_folders);
+
 /// The folders that are searched, for messages.
 [[nodiscard]] std::string TextureFolders(const std::string& effect_path,
                                          const std::vector<std::string>& include_folders);

@@ -116,15 +116,18 @@ effect::SceneDraws SceneStage::Draws(const SceneFrame& frame) {
     if (!geometry) return std::unexpected(geometry.error());
     std::vector<effect::SceneDraw> draws;
     for (const gbuffer::GeometryDraw& item : *geometry) {
-      draws.push_back({item.world_from_object, MaterialFor(*scene_, item.material),
-                       [this, material = item.material](effect::TextureMeaning meaning, bool is_decoded) {
-                         return MaterialTextureFor(*renderer_, material, meaning, is_decoded);
-                       },
-                       [item] {
-                         glBindVertexArray(item.vertex_array);
-                         glDrawElements(item.mode, item.index_count, GL_UNSIGNED_INT, nullptr);
-                         glBindVertexArray(0);
-                       }});
+      draws.push_back({.world_from_object = item.world_from_object,
+                       .draw =
+                           [item] {
+                             glBindVertexArray(item.vertex_array);
+                             glDrawElements(item.mode, item.index_count, GL_UNSIGNED_INT, nullptr);
+                             glBindVertexArray(0);
+                           },
+                       .material = MaterialFor(*scene_, item.material),
+                       .texture =
+                           [this, material = item.material](effect::TextureMeaning meaning, bool is_decoded) {
+                             return MaterialTextureFor(*renderer_, material, meaning, is_decoded);
+                           }});
     }
     return draws;
   };

@@ -66,6 +66,7 @@ struct FileRole {
 /// A texture of the semantic RENDERCOLORTARGET or RENDERDEPTHSTENCILTARGET: a target of scripts.
 struct ScriptTargetRole {
   bool is_depth_stencil = false;
+  bool is_offscreen = false;  ///< OFFSCREENRENDERTARGET: the host draws into it before the script runs
   double width_ratio = 1.0;   ///< against the frame
   double height_ratio = 1.0;
   int width = 0;              ///< in pixels; 0: by the ratio

@@ -38,7 +38,9 @@ Dimension AnnotatedDimension(const std::vector<EffectAnnotation>& annotations) {
 }
 
 bool IsScriptTarget(std::string_view semantic) {
-  return EqualsIgnoringCase(semantic, "RenderColorTarget") || EqualsIgnoringCase(semantic, "RenderDepthStencilTarget");
+  return EqualsIgnoringCase(semantic, "RenderColorTarget") ||
+         EqualsIgnoringCase(semantic, "RenderDepthStencilTarget") ||
+         EqualsIgnoringCase(semantic, "OffscreenRenderTarget");
 }
 
 /// The formats of targets, and the names of others that hold the same.
@@ -61,6 +63,7 @@ std::optional<double> NumberAnnotation(const std::vector<EffectAnnotation>& anno
 ScriptTargetRole ScriptTarget(const Texture& texture) {
   ScriptTargetRole role;
   role.is_depth_stencil = EqualsIgnoringCase(texture.semantic, "RenderDepthStencilTarget");
+  role.is_offscreen = EqualsIgnoringCase(texture.semantic, "OffscreenRenderTarget");
   const auto pixels = [&](std::string_view own, std::size_t component) {
     const auto length = NumberAnnotation(texture.annotations, own).or_else([&] {
       return NumberAnnotation(texture.annotations, "Dimensions", component);
