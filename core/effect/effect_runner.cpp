@@ -431,6 +431,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
   };
   while (true) {
     Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height}, schedule_options);
+    for (Step& step : schedule.steps) step.shows_source &= options.has_source;
     auto programs = CompilePrograms(*effect, schedule);
     if (programs) {
       auto runner = Runner::Create(effect, options, *choice, std::move(schedule), std::move(*programs));

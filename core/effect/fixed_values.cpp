@@ -23,7 +23,9 @@ class Slots {
  public:
   Slots() : numbers_(4u * fx::kFixedSlots, 0.0f) {}
 
-  [[nodiscard]] std::span<float> At(int slot) { return std::span(numbers_).subspan(4u * static_cast<std::size_t>(slot)); }
+  [[nodiscard]] std::span<float> At(int slot) {
+    return std::span(numbers_).subspan(4u * static_cast<std::size_t>(slot));
+  }
   void Set(int slot, const glm::vec4& v) {
     for (int i = 0; i < 4; ++i) At(slot)[static_cast<std::size_t>(i)] = v[i];
   }
@@ -49,32 +51,57 @@ struct Place {
 Place PlaceOf(const fx::FixedState& state) {
   const int light = LightSlot(state.index);
   switch (state.name) {
-    case FixedName::kWorldTransform: return {fx::kSlotWorld, 0, 16};
-    case FixedName::kViewTransform: return {fx::kSlotView, 0, 16};
-    case FixedName::kProjectionTransform: return {fx::kSlotProjection, 0, 16};
-    case FixedName::kTextureTransform: return {fx::kSlotTextureTransforms + 4 * state.index, 0, 16};
-    case FixedName::kMaterialDiffuse: return {fx::kSlotMaterialDiffuse};
-    case FixedName::kMaterialAmbient: return {fx::kSlotMaterialAmbient};
-    case FixedName::kMaterialSpecular: return {fx::kSlotMaterialSpecular};
-    case FixedName::kMaterialEmissive: return {fx::kSlotMaterialEmissive};
-    case FixedName::kMaterialPower: return {fx::kSlotMaterialPower, 0, 1};
-    case FixedName::kAmbient: return {fx::kSlotAmbient};
-    case FixedName::kTextureFactor: return {fx::kSlotTextureFactor};
-    case FixedName::kConstant: return {fx::kSlotConstants + state.index};
+    case FixedName::kWorldTransform:
+      return {fx::kSlotWorld, 0, 16};
+    case FixedName::kViewTransform:
+      return {fx::kSlotView, 0, 16};
+    case FixedName::kProjectionTransform:
+      return {fx::kSlotProjection, 0, 16};
+    case FixedName::kTextureTransform:
+      return {fx::kSlotTextureTransforms + 4 * state.index, 0, 16};
+    case FixedName::kMaterialDiffuse:
+      return {fx::kSlotMaterialDiffuse};
+    case FixedName::kMaterialAmbient:
+      return {fx::kSlotMaterialAmbient};
+    case FixedName::kMaterialSpecular:
+      return {fx::kSlotMaterialSpecular};
+    case FixedName::kMaterialEmissive:
+      return {fx::kSlotMaterialEmissive};
+    case FixedName::kMaterialPower:
+      return {fx::kSlotMaterialPower, 0, 1};
+    case FixedName::kAmbient:
+      return {fx::kSlotAmbient};
+    case FixedName::kTextureFactor:
+      return {fx::kSlotTextureFactor};
+    case FixedName::kConstant:
+      return {fx::kSlotConstants + state.index};
     case FixedName::kLightEnable:
-    case FixedName::kLightType: return {light, 0, 1};
-    case FixedName::kLightRange: return {light, 1, 1};
-    case FixedName::kLightFalloff: return {light, 2, 1};
-    case FixedName::kLightDiffuse: return {light + 1};
-    case FixedName::kLightSpecular: return {light + 2};
-    case FixedName::kLightAmbient: return {light + 3};
-    case FixedName::kLightPosition: return {light + 4, 0, 3};
-    case FixedName::kLightDirection: return {light + 5, 0, 3};
-    case FixedName::kLightAttenuation0: return {light + 6, 0, 1};
-    case FixedName::kLightAttenuation1: return {light + 6, 1, 1};
-    case FixedName::kLightAttenuation2: return {light + 6, 2, 1};
-    case FixedName::kLightTheta: return {light + 7, 0, 1};
-    case FixedName::kLightPhi: return {light + 7, 1, 1};
+    case FixedName::kLightType:
+      return {light, 0, 1};
+    case FixedName::kLightRange:
+      return {light, 1, 1};
+    case FixedName::kLightFalloff:
+      return {light, 2, 1};
+    case FixedName::kLightDiffuse:
+      return {light + 1};
+    case FixedName::kLightSpecular:
+      return {light + 2};
+    case FixedName::kLightAmbient:
+      return {light + 3};
+    case FixedName::kLightPosition:
+      return {light + 4, 0, 3};
+    case FixedName::kLightDirection:
+      return {light + 5, 0, 3};
+    case FixedName::kLightAttenuation0:
+      return {light + 6, 0, 1};
+    case FixedName::kLightAttenuation1:
+      return {light + 6, 1, 1};
+    case FixedName::kLightAttenuation2:
+      return {light + 6, 2, 1};
+    case FixedName::kLightTheta:
+      return {light + 7, 0, 1};
+    case FixedName::kLightPhi:
+      return {light + 7, 1, 1};
   }
   return {};
 }

@@ -106,11 +106,16 @@ struct NamedConstant {
 };
 // What hosts have and this one has one value of: for parameters without an initial value.
 constexpr NamedConstant kConstants[] = {
-    {"unitsscale", {1, 1, 1, 1}},         {"opacity", {1, 1, 1, 1}},
-    {"tooncolor", {1, 1, 1, 1}},          {"edgecolor", {0, 0, 0, 1}},
-    {"edgewidth", {1, 1, 1, 1}},          {"groundshadowcolor", {0, 0, 0, 0.4}},
-    {"texturevalue", {1, 1, 1, 1}},       {"addingtexture", {0, 0, 0, 0}},
-    {"multiplyingtexture", {1, 1, 1, 1}}, {"addingspheretexture", {0, 0, 0, 0}},
+    {"unitsscale", {1, 1, 1, 1}},
+    {"opacity", {1, 1, 1, 1}},
+    {"tooncolor", {1, 1, 1, 1}},
+    {"edgecolor", {0, 0, 0, 1}},
+    {"edgewidth", {1, 1, 1, 1}},
+    {"groundshadowcolor", {0, 0, 0, 0.4}},
+    {"texturevalue", {1, 1, 1, 1}},
+    {"addingtexture", {0, 0, 0, 0}},
+    {"multiplyingtexture", {1, 1, 1, 1}},
+    {"addingspheretexture", {0, 0, 0, 0}},
     {"multiplyingspheretexture", {1, 1, 1, 1}},
 };
 
@@ -301,13 +306,13 @@ std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Param
                                        std::vector<std::string>& warnings) {
   const fx::ParameterMeaning meaning = fx::MeaningOf(parameter, !effect.uses_extension);
   const auto stays = [&](const std::string& why) {
-    warnings.push_back(
-        fmt::format("{}: parameter '{}' stays at its default: {}", effect.path, parameter.name, why));
+    warnings.push_back(fmt::format("{}: parameter '{}' stays at its default: {}", effect.path, parameter.name, why));
   };
   std::string semantic = meaning.semantic;
   if (semantic.size() > 1 && semantic.ends_with('0')) semantic.pop_back();
   std::optional<HostValue> host;
-  if (!meaning.is_known_address && FindHostParts(parameter).empty()) stays("its SasBindAddress names nothing that is here");
+  if (!meaning.is_known_address && FindHostParts(parameter).empty())
+    stays("its SasBindAddress names nothing that is here");
   if (meaning.is_implied) host = FindByName(effect, parameter, warnings);
   if (semantic == "controlobject") {
     const auto value = ControlObjectValue(effect, parameter, warnings);

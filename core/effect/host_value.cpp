@@ -46,8 +46,10 @@ glm::vec4 InSpace(const HostValue& host, const FrameContext& context, const glm:
 }
 
 std::optional<glm::vec4> OfLight(const HostValue& host, const FrameContext& context, std::size_t element) {
-  if (host.kind == Kind::kLightAmbient) return glm::vec4(host.light + element == 0 ? kAmbientLight : glm::vec3(0.0f), 1.0f);
-  if (host.kind == Kind::kLightCount) return glm::vec4(static_cast<float>(std::max<std::size_t>(1, context.lights.size())));
+  if (host.kind == Kind::kLightAmbient)
+    return glm::vec4(host.light + element == 0 ? kAmbientLight : glm::vec3(0.0f), 1.0f);
+  if (host.kind == Kind::kLightCount)
+    return glm::vec4(static_cast<float>(std::max<std::size_t>(1, context.lights.size())));
   const auto light = LightAt(context, host.light + element);
   if (!light) return std::nullopt;
   switch (host.kind) {

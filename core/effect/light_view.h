@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string_view>
-
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
 
 #include "core/effect/frame_context.h"
 

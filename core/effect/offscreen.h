@@ -11,9 +11,9 @@ namespace burin::effect {
 /// What an OFFSCREENRENDERTARGET of MikuMikuEffect shows.
 struct OffscreenContent {
   enum class Kind {
-    kNothing,   ///< its ClearColor
-    kScene,     ///< the source as it is shown without effects
-    kEffect     ///< the scene by the effect `file`
+    kNothing,  ///< its ClearColor
+    kScene,    ///< the source as it is shown without effects
+    kEffect    ///< the scene by the effect `file`
   };
   Kind kind = Kind::kScene;
   std::string file;

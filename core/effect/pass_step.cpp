@@ -55,7 +55,8 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, st
   }
   if (auto made = result.CreateTargets(effect, frame, textures, warnings); !made) return std::unexpected(made.error());
   const auto add = [&](const fx::ShaderProgram& shaders) {
-    Variant variant{.program = std::move(programs[result.variants_.size()]), .samplers = {}, .written = shaders.targets};
+    Variant variant{
+        .program = std::move(programs[result.variants_.size()]), .samplers = {}, .written = shaders.targets};
     result.CreateSamplers(effect, shaders.samplers, textures, lookup, variant.samplers, warnings);
     result.variants_.push_back(std::move(variant));
   };
@@ -122,8 +123,8 @@ Result<gl::FramebufferHandle> PassStep::CreateSrgbFramebuffer(const fx::Effect& 
 }
 
 void PassStep::CreateSamplers(const fx::Effect& effect, const std::vector<std::size_t>& samplers,
-                              TextureStore& textures, const fx::ParameterLookup& lookup,
-                              std::vector<BoundSampler>& all, std::vector<std::string>& warnings) {
+                              TextureStore& textures, const fx::ParameterLookup& lookup, std::vector<BoundSampler>& all,
+                              std::vector<std::string>& warnings) {
   for (const std::size_t index : samplers) {
     const fx::Sampler& sampler = effect.samplers[index];
     BoundSampler bound{.index = index,
@@ -150,7 +151,8 @@ void PassStep::CreateSamplers(const fx::Effect& effect, const std::vector<std::s
     if (!sampler.texture) {
       const bool is_given = bound.meaning && IsOfMaterial(*bound.meaning) && (step_.draws_scene || step_.shows_source);
       if (!is_given)
-        warnings.push_back(fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
+        warnings.push_back(
+            fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
     } else if (may_be_srgb && !textures.AddSrgbView(*sampler.texture)) {
       warnings.push_back(fmt::format("{}: sampler '{}': SRGBTexture has no effect on {}, whose format has no sRGB form",
                                      effect.path, sampler.name, effect.textures[*sampler.texture].name));

@@ -216,8 +216,8 @@ Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec
     if (const auto filler = CustomTechnique(effect, role.attribute))
       AddSteps(effect, *filler, index, frame, options.has_scene, schedule);
   }
-  const bool is_scripted = std::ranges::any_of(
-      techniques, [&](std::size_t each) { return !effect.techniques[each].script.empty(); });
+  const bool is_scripted =
+      std::ranges::any_of(techniques, [&](std::size_t each) { return !effect.techniques[each].script.empty(); });
   for (const std::size_t each : techniques) {
     if (!is_scripted) AddSteps(effect, each, std::nullopt, frame, options.has_scene, schedule);
   }

@@ -10,6 +10,7 @@
 
 #include "core/effect/effect_runner.h"
 #include "core/effect/object_technique.h"
+#include "core/effect/parameter_part.h"
 #include "core/effect/text.h"
 #include "fx_parser/source/diagnostic.h"
 
@@ -144,7 +145,7 @@ image::Encoding FrameEncoding(const fx::Effect& effect, std::size_t technique) {
 }
 
 bool AcceptsParameter(const fx::Effect& effect, const std::string& name) {
-  const auto has_name = [&](const auto& thing) { return thing.name == name; };
+  const auto has_name = [&](const fx::Parameter& parameter) { return parameter.name == ParameterName(name); };
   return std::any_of(effect.parameters.begin(), effect.parameters.end(), has_name) ||
          std::any_of(effect.textures.begin(), effect.textures.end(), [&](const fx::Texture& texture) {
            return texture.name == name && std::holds_alternative<fx::FileRole>(texture.role);

@@ -16,30 +16,37 @@ struct Word {
   TextureMeaning meaning;
 };
 
-constexpr Word kSemantics[] = {{"diffuse", kBaseColor},        {"diffusemap", kBaseColor},
-                               {"texture", kBaseColor},        {"materialtexture", kBaseColor},
-                               {"color", kBaseColor},          {"normal", kNormal},
-                               {"normalmap", kNormal},         {"bump", kNormal},
-                               {"bumpmap", kNormal},           {"specular", kSpecular},
-                               {"specularmap", kSpecular},     {"gloss", kSpecular},
-                               {"emissive", kEmissive},        {"emissivemap", kEmissive},
-                               {"ambientocclusion", kOcclusion}, {"materialspheremap", kWhite},
-                               {"materialtoontexture", kWhite}, {"environment", kEnvironment}};
+constexpr Word kSemantics[] = {{"diffuse", kBaseColor},
+                               {"diffusemap", kBaseColor},
+                               {"texture", kBaseColor},
+                               {"materialtexture", kBaseColor},
+                               {"color", kBaseColor},
+                               {"normal", kNormal},
+                               {"normalmap", kNormal},
+                               {"bump", kNormal},
+                               {"bumpmap", kNormal},
+                               {"specular", kSpecular},
+                               {"specularmap", kSpecular},
+                               {"gloss", kSpecular},
+                               {"emissive", kEmissive},
+                               {"emissivemap", kEmissive},
+                               {"ambientocclusion", kOcclusion},
+                               {"materialspheremap", kWhite},
+                               {"materialtoontexture", kWhite},
+                               {"environment", kEnvironment}};
 
 // Parts of names, in the order in which they are looked for.
-constexpr Word kParts[] = {{"noise", kNoise},        {"random", kNoise},     {"jitter", kNoise},
-                           {"perlin", kNoise},       {"cloud", kNoise},      {"dither", kNoise},
-                           {"normal", kNormal},      {"bump", kNormal},      {"nrm", kNormal},
-                           {"ramp", kRamp},          {"gradient", kRamp},    {"falloff", kRamp},
-                           {"fresnel", kRamp},       {"attenuation", kRamp}, {"curve", kRamp},
-                           {"lookup", kRamp},        {"spectrum", kRamp},    {"toon", kRamp},
-                           {"celshade", kRamp},      {"lightmap", kWhite},   {"shadow", kWhite},
-                           {"mask", kWhite},         {"vignette", kWhite},   {"paper", kWhite},
-                           {"grain", kWhite},        {"hatch", kWhite},      {"gloss", kSpecular},
-                           {"spec", kSpecular},      {"emissive", kEmissive}, {"selfillum", kEmissive},
-                           {"occlusion", kOcclusion}, {"environment", kEnvironment}, {"envmap", kEnvironment},
-                           {"envtex", kEnvironment}, {"cubemap", kEnvironment}, {"reflect", kEnvironment},
-                           {"skybox", kEnvironment}};
+constexpr Word kParts[] = {
+    {"noise", kNoise},        {"random", kNoise},       {"jitter", kNoise},        {"perlin", kNoise},
+    {"cloud", kNoise},        {"dither", kNoise},       {"normal", kNormal},       {"bump", kNormal},
+    {"nrm", kNormal},         {"ramp", kRamp},          {"gradient", kRamp},       {"falloff", kRamp},
+    {"fresnel", kRamp},       {"attenuation", kRamp},   {"curve", kRamp},          {"lookup", kRamp},
+    {"spectrum", kRamp},      {"toon", kRamp},          {"celshade", kRamp},       {"lightmap", kWhite},
+    {"shadow", kWhite},       {"mask", kWhite},         {"vignette", kWhite},      {"paper", kWhite},
+    {"grain", kWhite},        {"hatch", kWhite},        {"gloss", kSpecular},      {"spec", kSpecular},
+    {"emissive", kEmissive},  {"selfillum", kEmissive}, {"occlusion", kOcclusion}, {"environment", kEnvironment},
+    {"envmap", kEnvironment}, {"envtex", kEnvironment}, {"cubemap", kEnvironment}, {"reflect", kEnvironment},
+    {"skybox", kEnvironment}};
 
 constexpr std::string_view kDefaultFiles[] = {"default_color.dds", "default_reflection.dds", "default_bump_normal.dds",
                                               "default_gloss.dds"};
@@ -85,7 +92,9 @@ TextureMeaning InTwoDimensions(const fx::Texture& texture) {
 
 }  // namespace
 
-TextureMeaning MeaningOf(const fx::Texture& texture) { return InDimension(InTwoDimensions(texture), texture.dimension); }
+TextureMeaning MeaningOf(const fx::Texture& texture) {
+  return InDimension(InTwoDimensions(texture), texture.dimension);
+}
 
 TextureMeaning MeaningOf(const fx::Sampler& sampler) {
   return InDimension(ByParts(LowerCase(sampler.name)).value_or(kBaseColor), sampler.dimension);

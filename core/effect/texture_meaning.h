@@ -9,11 +9,14 @@ namespace burin::effect {
 
 /// What a texture without a file of its own shows.
 enum class TextureMeaning {
-  kBaseColor,     ///< of the object's material; over a whole target the source's picture
-  kNormal, kSpecular, kEmissive, kOcclusion,   ///< of the object's material
-  kEnvironment,   ///< cubes: what is all around
+  kBaseColor,  ///< of the object's material; over a whole target the source's picture
+  kNormal,
+  kSpecular,
+  kEmissive,
+  kOcclusion,    ///< of the object's material
+  kEnvironment,  ///< cubes: what is all around
   kNoise,
-  kRamp,          ///< black at u = 0 to white at u = 1
+  kRamp,  ///< black at u = 0 to white at u = 1
   kWhite
 };
 

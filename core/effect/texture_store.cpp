@@ -29,15 +29,15 @@ bool NeedsMipmaps(const fx::Effect& effect, std::size_t texture) {
 
 // Whether something better than a stand-in is at hand wherever the texture is looked up.
 bool IsGivenByHost(const fx::Effect& effect, const Schedule& schedule, std::size_t texture, TextureMeaning meaning,
-                   bool has_source) {
-  if (meaning == TextureMeaning::kEnvironment) return true;
+                   const RunnerOptions& options) {
+  if (meaning == TextureMeaning::kEnvironment) return static_cast<bool>(options.environment);
   if (!IsOfMaterial(meaning)) return false;
   for (const Step& step : schedule.steps) {
     if (step.kind != Step::Kind::kPass) continue;
     const auto samplers = fx::SamplersOf(effect.techniques[step.technique].passes[step.pass]);
     const bool looks = std::any_of(samplers.begin(), samplers.end(),
                                    [&](std::size_t sampler) { return effect.samplers[sampler].texture == texture; });
-    const bool is_given = step.draws_scene || (step.shows_source && has_source && meaning == TextureMeaning::kBaseColor);
+    const bool is_given = step.draws_scene || (step.shows_source && options.has_source && meaning == TextureMeaning::kBaseColor);
     if (looks && !is_given) return false;
   }
   return true;
@@ -66,7 +66,7 @@ Result<TextureStore> TextureStore::Create(const fx::Effect& effect, Schedule& sc
     }
   }
   for (const std::size_t index : schedule.files) {
-    const bool is_given = IsGivenByHost(effect, schedule, index, store.slots_[index].meaning, options.has_source);
+    const bool is_given = IsGivenByHost(effect, schedule, index, store.slots_[index].meaning, options);
     if (auto added = store.AddFile(effect, index, overrides, options, is_given, warnings); !added) {
       return std::unexpected(added.error());
     }

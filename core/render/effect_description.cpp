@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/effect/effect_runner.h"
+#include "core/effect/parameter_range.h"
 
 namespace burin::render {
 namespace {
@@ -19,11 +20,30 @@ std::string EncodingText(image::Encoding encoding) {
   return encoding == image::Encoding::kSceneLinear ? "scene-linear" : "display-encoded";
 }
 
+/// "   (0 to 2 in steps of 0.1: Glow)", as far as the annotations for users say it.
+std::string UserText(const fx::Parameter& parameter) {
+  const auto [lowest, highest] = effect::LimitsOf(parameter, 0);
+  std::string text;
+  if (lowest && highest)
+    text = fmt::format("{:g} to {:g}", *lowest, *highest);
+  else if (lowest)
+    text = fmt::format("{:g} or more", *lowest);
+  else if (highest)
+    text = fmt::format("{:g} or less", *highest);
+  const fx::EffectAnnotation* step = fx::FindAnnotation(parameter.annotations, "UIStep");
+  if (!text.empty() && step != nullptr && !step->value.numbers.empty())
+    text += fmt::format(" in steps of {:g}", step->value.numbers[0]);
+  const fx::EffectAnnotation* name = fx::FindAnnotation(parameter.annotations, "UIName");
+  if (name != nullptr && !name->value.strings.empty() && !name->value.strings[0].empty())
+    text += fmt::format("{}{}", text.empty() ? "" : ": ", name->value.strings[0]);
+  return text.empty() ? text : "   (" + text + ")";
+}
+
 std::string ParameterLine(const fx::Parameter& parameter) {
   std::string line = fmt::format("  {} {}", fx::ToString(parameter.type), parameter.name);
   if (!parameter.semantic.empty()) line += fmt::format(" : {}", parameter.semantic);
   if (parameter.has_default) line += fmt::format(" = {}", ValueText(parameter.default_value));
-  return line + "\n";
+  return line + UserText(parameter) + "\n";
 }
 
 std::string PassLine(const fx::Effect& effect, const fx::Pass& pass, std::size_t index) {

@@ -35,10 +35,12 @@ effect::MaterialContext MaterialFor(const scene::Scene& scene, int material) {
   context.index = is_own ? material : -1;
   context.has_texture = static_cast<bool>(source.base_color_texture);
   const glm::vec3 base(source.base_color);
-  context.diffuse = glm::vec4(Encode(base), source.alpha_mode == scene::AlphaMode::kOpaque ? 1.0f : source.base_color.a);
+  context.diffuse =
+      glm::vec4(Encode(base), source.alpha_mode == scene::AlphaMode::kOpaque ? 1.0f : source.base_color.a);
   context.emissive = Encode(source.emissive);
   // What a metal does not scatter it reflects in its own colour; what is rough shows little of a highlight.
-  const glm::vec3 reflected = glm::mix(glm::vec3(0.04f), base, source.metallic_roughness_texture ? 0.0f : source.metallic);
+  const glm::vec3 reflected =
+      glm::mix(glm::vec3(0.04f), base, source.metallic_roughness_texture ? 0.0f : source.metallic);
   context.specular = Encode(reflected) * (1.0f - 0.5f * source.roughness);
   context.specular_power = SpecularPower(source.roughness);
   return context;

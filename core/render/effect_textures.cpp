@@ -67,8 +67,8 @@ effect::EffectOpener EffectOpenerFor(const std::string& effect_path, const std::
   return [effect_path, include_folders](const std::string& path) -> Result<std::shared_ptr<const fx::Effect>> {
     const std::string found = Find(path, Folders(effect_path, include_folders));
     if (found.empty()) {
-      return Fail(ErrorKind::kInput, fmt::format("'{}' not found; searched: {}", path,
-                                                 TextureFolders(effect_path, include_folders)));
+      return Fail(ErrorKind::kInput,
+                  fmt::format("'{}' not found; searched: {}", path, TextureFolders(effect_path, include_folders)));
     }
     const EffectFile file = CompileEffectFile(found, {include_folders, {}});
     if (!file.effect) return std::unexpected(ErrorOf(file));

@@ -14,9 +14,13 @@
 
 namespace burin::render {
 
-SceneStage::SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options,
-                       PictureStage& pictures)
-    : scene_(&scene), renderer_(std::move(renderer)), background_(options.background), samples_(options.samples), pictures_(pictures) {}
+SceneStage::SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer,
+                       const SceneOptions& options, PictureStage& pictures)
+    : scene_(&scene),
+      renderer_(std::move(renderer)),
+      background_(options.background),
+      samples_(options.samples),
+      pictures_(pictures) {}
 
 Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene, const SceneOptions& options,
                                                        PictureStage& pictures) {

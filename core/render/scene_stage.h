@@ -41,7 +41,8 @@ class SceneStage {
   [[nodiscard]] effect::SceneDraws Draws(const SceneFrame& frame);
 
  private:
-  SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options, PictureStage& pictures);
+  SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options,
+             PictureStage& pictures);
   [[nodiscard]] gbuffer::FrameInput Input(const SceneFrame& frame) const;
   [[nodiscard]] Result<void> FillThroughTransform(const SceneFrame& frame, const gbuffer::Request& request);
   /// Requests of one size.

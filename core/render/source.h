@@ -75,7 +75,8 @@ inline constexpr std::pair<int, int> kDefaultSize{1280, 720};
 /// Rate of what has none of its own, without --fps.
 inline constexpr video::FrameRate kDefaultRate{24, 1};
 
-/// Opens the job's source. `wants_tangents`: of a scene, see scene::AddTangents. Errors: kInput, naming the file; kUsage for a camera or animation that is not there.
+/// Opens the job's source. `wants_tangents`: of a scene, see scene::AddTangents. Errors: kInput, naming the file;
+/// kUsage for a camera or animation that is not there.
 [[nodiscard]] Result<std::unique_ptr<Source>> OpenSource(const Job& job, bool wants_tangents = false);
 
 // One file each.

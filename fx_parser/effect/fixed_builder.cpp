@@ -40,9 +40,9 @@ constexpr Enumerant kOperations[] = {{"disable", 1},
                                      {"dotproduct3", 24},
                                      {"multiplyadd", 25},
                                      {"lerp", 26}};
-constexpr Enumerant kArguments[] = {{"diffuse", 0}, {"current", 1},  {"texture", 2},     {"tfactor", 3},
-                                    {"specular", 4}, {"temp", 5},     {"constant", 6},    {"complement", 16},
-                                    {"alphareplicate", 32}};
+constexpr Enumerant kArguments[] = {{"diffuse", 0},  {"current", 1},     {"texture", 2},
+                                    {"tfactor", 3},  {"specular", 4},    {"temp", 5},
+                                    {"constant", 6}, {"complement", 16}, {"alphareplicate", 32}};
 constexpr Enumerant kCoordinates[] = {{"passthru", 0},
                                       {"cameraspacenormal", 1 << 16},
                                       {"cameraspaceposition", 2 << 16},
@@ -118,8 +118,8 @@ void EffectBuilder::AddFixedValue(ast::StateAssignment& assignment, FixedName na
   ast::Expression& value = *assignment.value;
   const bool is_light_type = name == FixedName::kLightType;
   if (assignment.form != ast::StateAssignment::Form::kAngled) {
-    if (const auto number = EnumerantValue(value, is_light_type ? std::span<const Enumerant>(kLightTypes)
-                                                                : std::span<const Enumerant>())) {
+    if (const auto number = EnumerantValue(
+            value, is_light_type ? std::span<const Enumerant>(kLightTypes) : std::span<const Enumerant>())) {
       state.value = Value{ScalarType(Scalar::kInt), {static_cast<double>(*number)}, {}};
       fixed.states.push_back(std::move(state));
       return;
@@ -127,7 +127,10 @@ void EffectBuilder::AddFixedValue(ast::StateAssignment& assignment, FixedName na
   }
   if (std::holds_alternative<ast::InitializerList>(value.node)) {
     const auto& elements = std::get<ast::InitializerList>(value.node).elements;
-    const Type type = VectorType(Scalar::kFloat, static_cast<int>(std::clamp<std::size_t>(elements.size(), 1, 4)));
+    const Type type =
+        elements.size() == 16
+            ? MatrixType(Scalar::kFloat, 4, 4)
+            : VectorType(Scalar::kFloat, static_cast<int>(std::clamp<std::size_t>(elements.size(), 1, 4)));
     checker_.CheckInitializer(value, type, assignment.name);
     if (auto constant = EvaluateAs(value, type)) {
       state.value = *std::move(constant);
@@ -207,6 +210,8 @@ bool EffectBuilder::BuildFixedState(ast::StateAssignment& assignment, FixedPassS
   }
   for (const NamedFixed& named : kValues) {
     if (!is(named.name)) continue;
+    // WorldTransform[1] and on are for blended vertices.
+    if (index > 0 && named.state < FixedName::kTextureTransform) return true;
     AddFixedValue(assignment, named.state, index, fixed);
     return true;
   }
@@ -253,10 +258,12 @@ FixedPipeline EffectBuilder::MakeFixedPipeline(const FixedPassStates& fixed, con
     stage.color_op = states.color_op.value_or(i == 0 ? kModulate : kDisable);
     stage.alpha_op = states.alpha_op.value_or(i == 0 ? kSelectArg1 : kDisable);
     if (stage.color_op == kDisable) break;
+    const bool is_textured = states.texture || states.sampler;
     for (std::size_t k = 0; k < 3; ++k) {
-      constexpr std::array<int, 3> kUsual = {1, 2, 1};
-      stage.color_args[k] = states.color_args[k].value_or(kUsual[k]);
-      stage.alpha_args[k] = states.alpha_args[k].value_or(kUsual[k]);
+      // Without a texture the first argument is the diffuse colour, unless the pass says otherwise.
+      const std::array<int, 3> usual = {1, is_textured || (i == 0 && own_texture && !states.has_no_texture) ? 2 : 0, 1};
+      stage.color_args[k] = states.color_args[k].value_or(usual[k]);
+      stage.alpha_args[k] = states.alpha_args[k].value_or(usual[k]);
     }
     stage.result = states.result.value_or(1);
     stage.texcoord = states.texcoord.value_or(i);
@@ -276,6 +283,8 @@ FixedPipeline EffectBuilder::MakeFixedPipeline(const FixedPassStates& fixed, con
                     LinearFilter(SamplerStateName::kMipFilter, pass.range)};
       effect_.samplers.push_back(std::move(own));
       sampler = effect_.samplers.size() - 1;
+      // An object without a texture keeps its own alpha.
+      if (!states.alpha_op) stage.alpha_op = kModulate;
     }
     if (sampler) {
       stage.sampler = "burin_s_" + name;

@@ -13,10 +13,10 @@
 namespace burin::fx {
 
 struct ParameterMeaning {
-  std::string semantic;      ///< lower case, as NVIDIA's SAS spells it: "worldviewprojection", "position"; empty: none
-  std::string object;        ///< whose: "camera", "light", "pointlight1", "geometry"; lower case, may be empty
-  bool is_implied = false;   ///< by the name
-  bool is_known_address = true;   ///< false: a SasBindAddress that names nothing here
+  std::string semantic;     ///< lower case, as NVIDIA's SAS spells it: "worldviewprojection", "position"; empty: none
+  std::string object;       ///< whose: "camera", "light", "pointlight1", "geometry"; lower case, may be empty
+  bool is_implied = false;  ///< by the name
+  bool is_known_address = true;  ///< false: a SasBindAddress that names nothing here
   bool operator==(const ParameterMeaning&) const = default;
 };
 

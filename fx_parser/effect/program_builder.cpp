@@ -50,7 +50,8 @@ bool SaysNothing(const FixedPassStates& fixed) {
   return fixed.states.empty() && !fixed.lighting.value_or(false) &&
          std::ranges::all_of(fixed.stages, [](const auto& stage) {
            constexpr int kDisable = 1;
-           return !stage.second.texture && !stage.second.sampler && stage.second.color_op.value_or(kDisable) == kDisable;
+           return !stage.second.texture && !stage.second.sampler &&
+                  stage.second.color_op.value_or(kDisable) == kDisable;
          });
 }
 

@@ -7,9 +7,9 @@ namespace burin::fx {
 namespace {
 
 struct Address {
-  std::string_view name;   ///< lower case; "[]" stands for an index
+  std::string_view name;  ///< lower case; "[]" stands for an index
   std::string_view semantic;
-  std::string_view object;   ///< with the index behind it where it has one
+  std::string_view object;  ///< with the index behind it where it has one
 };
 // "Standard Annotations and Semantics for DirectX", version 1.0.
 constexpr Address kAddresses[] = {

@@ -138,8 +138,11 @@ void EffectBuilder::AddScriptCommand(const ScriptCommand& command, const ast::Te
       return with_parameter(Action::kLoopIndex);
     case ScriptVerb::kLoopEnd:
       return script.push_back(Step(Action::kLoopEnd));
-    case ScriptVerb::kRenderPort:
-    {
+    case ScriptVerb::kRenderPort: {
+      const std::string viewer = LowerCase(command.value);
+      const bool is_light = viewer.find("light") != std::string::npos || viewer.find("lamp") != std::string::npos;
+      if (!viewer.empty() && !is_light)
+        WarnScript(range, "RenderPort names '" + command.value + "', which is no light: the camera sees the scene");
       ScriptStep step = Step(Action::kViewer);
       step.viewer = command.value;
       return script.push_back(step);

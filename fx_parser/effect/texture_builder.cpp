@@ -45,6 +45,11 @@ bool IsScriptTarget(std::string_view semantic) {
 
 /// The formats of targets, and the names of others that hold the same.
 std::optional<Format> FindScriptFormat(std::string_view name) {
+  constexpr std::string_view kPrefix = "D3DFMT_";
+  if (name.size() > kPrefix.size() && EqualsIgnoringCase(name.substr(0, kPrefix.size()), kPrefix))
+    name.remove_prefix(kPrefix.size());
+  if (EqualsIgnoringCase(name, "A4R4G4B4") || EqualsIgnoringCase(name, "A1R5G5B5")) return Format::kA8R8G8B8;
+  if (EqualsIgnoringCase(name, "X1R5G5B5")) return Format::kX8R8G8B8;
   if (EqualsIgnoringCase(name, "A8B8G8R8")) return Format::kA8R8G8B8;
   if (EqualsIgnoringCase(name, "X8B8G8R8") || EqualsIgnoringCase(name, "R8G8B8")) return Format::kX8R8G8B8;
   if (EqualsIgnoringCase(name, "A2R10G10B10")) return Format::kA2B10G10R10;

@@ -52,13 +52,27 @@ std::string Texture(std::size_t stage) { return "texel" + std::to_string(stage);
 std::string ArgumentText(int argument, std::size_t stage) {
   std::string text;
   switch (argument & kArgumentMask) {
-    case kDiffuse: text = "burin_v_COLOR0"; break;
-    case kTexture: text = Texture(stage); break;
-    case kFactor: text = Slot(kSlotTextureFactor); break;
-    case kSpecular: text = "burin_v_COLOR1"; break;
-    case kTemp: text = "temporary"; break;
-    case kConstant: text = Slot(kSlotConstants + static_cast<int>(stage)); break;
-    default: text = "current"; break;
+    case kDiffuse:
+      text = "burin_v_COLOR0";
+      break;
+    case kTexture:
+      text = Texture(stage);
+      break;
+    case kFactor:
+      text = Slot(kSlotTextureFactor);
+      break;
+    case kSpecular:
+      text = "burin_v_COLOR1";
+      break;
+    case kTemp:
+      text = "temporary";
+      break;
+    case kConstant:
+      text = Slot(kSlotConstants + static_cast<int>(stage));
+      break;
+    default:
+      text = "current";
+      break;
   }
   if ((argument & kAlphaReplicate) != 0) text += ".aaaa";
   return (argument & kComplement) != 0 ? "(1.0 - " + text + ")" : text;
@@ -71,30 +85,54 @@ std::string OperationText(int operation, const std::array<int, 3>& arguments, st
   const std::string a2 = ArgumentText(arguments[2], stage);
   const auto blend = [&](const std::string& alpha) { return "mix(" + a2 + ", " + a1 + ", " + alpha + ")"; };
   switch (operation) {
-    case kSelectArg1: return a1;
-    case kSelectArg2: return a2;
-    case kModulate: return a1 + " * " + a2;
-    case kModulate2x: return a1 + " * " + a2 + " * 2.0";
-    case kModulate4x: return a1 + " * " + a2 + " * 4.0";
-    case kAdd: return a1 + " + " + a2;
-    case kAddSigned: return a1 + " + " + a2 + " - 0.5";
-    case kAddSigned2x: return "(" + a1 + " + " + a2 + " - 0.5) * 2.0";
-    case kSubtract: return a1 + " - " + a2;
-    case kAddSmooth: return a1 + " + " + a2 + " - " + a1 + " * " + a2;
-    case kBlendDiffuseAlpha: return blend("burin_v_COLOR0.a");
-    case kBlendTextureAlpha: return blend(Texture(stage) + ".a");
-    case kBlendFactorAlpha: return blend(Slot(kSlotTextureFactor) + ".a");
-    case kBlendTextureAlphaPm: return a1 + " + " + a2 + " * (1.0 - " + Texture(stage) + ".a)";
-    case kBlendCurrentAlpha: return blend("current.a");
-    case kModulateAlphaAddColor: return a1 + " + " + a1 + ".a * " + a2;
-    case kModulateColorAddAlpha: return a1 + " * " + a2 + " + " + a1 + ".a";
-    case kModulateInvAlphaAddColor: return "(1.0 - " + a1 + ".a) * " + a2 + " + " + a1;
-    case kModulateInvColorAddAlpha: return "(1.0 - " + a1 + ") * " + a2 + " + " + a1 + ".a";
-    case kDotProduct3: return "vec4(4.0 * dot(" + a1 + ".rgb - 0.5, " + a2 + ".rgb - 0.5))";
-    case kMultiplyAdd: return a0 + " + " + a1 + " * " + a2;
-    case kLerp: return "mix(" + a2 + ", " + a1 + ", " + a0 + ")";
-    case kPremodulate: return a1;
-    default: return "current";
+    case kSelectArg1:
+      return a1;
+    case kSelectArg2:
+      return a2;
+    case kModulate:
+      return a1 + " * " + a2;
+    case kModulate2x:
+      return a1 + " * " + a2 + " * 2.0";
+    case kModulate4x:
+      return a1 + " * " + a2 + " * 4.0";
+    case kAdd:
+      return a1 + " + " + a2;
+    case kAddSigned:
+      return a1 + " + " + a2 + " - 0.5";
+    case kAddSigned2x:
+      return "(" + a1 + " + " + a2 + " - 0.5) * 2.0";
+    case kSubtract:
+      return a1 + " - " + a2;
+    case kAddSmooth:
+      return a1 + " + " + a2 + " - " + a1 + " * " + a2;
+    case kBlendDiffuseAlpha:
+      return blend("burin_v_COLOR0.a");
+    case kBlendTextureAlpha:
+      return blend(Texture(stage) + ".a");
+    case kBlendFactorAlpha:
+      return blend(Slot(kSlotTextureFactor) + ".a");
+    case kBlendTextureAlphaPm:
+      return a1 + " + " + a2 + " * (1.0 - " + Texture(stage) + ".a)";
+    case kBlendCurrentAlpha:
+      return blend("current.a");
+    case kModulateAlphaAddColor:
+      return a1 + " + " + a1 + ".a * " + a2;
+    case kModulateColorAddAlpha:
+      return a1 + " * " + a2 + " + " + a1 + ".a";
+    case kModulateInvAlphaAddColor:
+      return "(1.0 - " + a1 + ".a) * " + a2 + " + " + a1;
+    case kModulateInvColorAddAlpha:
+      return "(1.0 - " + a1 + ") * " + a2 + " + " + a1 + ".a";
+    case kDotProduct3:
+      return "vec4(4.0 * dot(" + a1 + ".rgb - 0.5, " + a2 + ".rgb - 0.5))";
+    case kMultiplyAdd:
+      return a0 + " + " + a1 + " * " + a2;
+    case kLerp:
+      return "mix(" + a2 + ", " + a1 + ", " + a0 + ")";
+    case kPremodulate:
+      return a1;
+    default:
+      return "current";
   }
 }
 
@@ -109,14 +147,17 @@ bool Uses(const FixedStage& stage, int argument) {
 }
 
 std::string LookUp(const FixedStage& stage, const std::string& coordinates) {
-  const std::string c = stage.is_projected ? "(" + coordinates + " / " + coordinates +
-                                                 (stage.transform_count == 3 ? ".z)" : ".w)")
-                                           : coordinates;
+  const std::string c = stage.is_projected
+                            ? "(" + coordinates + " / " + coordinates + (stage.transform_count == 3 ? ".z)" : ".w)")
+                            : coordinates;
   switch (stage.dimension) {
-    case Dimension::k1D: return "texture(" + stage.sampler + ", " + c + ".x)";
+    case Dimension::k1D:
+      return "texture(" + stage.sampler + ", " + c + ".x)";
     case Dimension::k3D:
-    case Dimension::kCube: return "texture(" + stage.sampler + ", " + c + ".xyz)";
-    default: return "texture(" + stage.sampler + ", " + c + ".xy)";
+    case Dimension::kCube:
+      return "texture(" + stage.sampler + ", " + c + ".xyz)";
+    default:
+      return "texture(" + stage.sampler + ", " + c + ".xy)";
   }
 }
 
@@ -139,9 +180,9 @@ std::string FixedPixelText(const FixedPipeline& pipeline, std::vector<Semantic>&
     }
     const std::string color = OperationText(stage.color_op, stage.color_args, i);
     const std::string alpha =
-        stage.color_op == kDotProduct3 ? color
-                                       : (stage.alpha_op == kDisable ? "current"
-                                                                     : OperationText(stage.alpha_op, stage.alpha_args, i));
+        stage.color_op == kDotProduct3
+            ? color
+            : (stage.alpha_op == kDisable ? "current" : OperationText(stage.alpha_op, stage.alpha_args, i));
     const std::string target = stage.result == kTemp ? "temporary" : "current";
     main += "  " + target + " = clamp(vec4((" + color + ").rgb, (" + alpha + ").a), 0.0, 1.0);\n";
   }
@@ -150,8 +191,7 @@ std::string FixedPixelText(const FixedPipeline& pipeline, std::vector<Semantic>&
 }
 
 std::string FixedPixelDeclarations(const FixedPipeline& pipeline) {
-  std::string text =
-      "uniform vec4 " + std::string(kUniformFixed) + "[" + std::to_string(int{kFixedSlots}) + "];\n";
+  std::string text = "uniform vec4 " + std::string(kUniformFixed) + "[" + std::to_string(int{kFixedSlots}) + "];\n";
   for (const FixedStage& stage : pipeline.stages) {
     if (stage.sampler.empty()) continue;
     const char* type = stage.dimension == Dimension::k1D     ? "sampler1D"

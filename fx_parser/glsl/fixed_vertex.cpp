@@ -66,35 +66,54 @@ std::string FixedVertexFunctions(const FixedPipeline& pipeline) {
   const std::string first = std::to_string(int{kSlotLights});
   const std::string stride = std::to_string(int{kLightSlots});
   // D3DLIGHTTYPE: 1 point, 2 spot, 3 directional.
-  text += "void burin_light(int light, vec3 p, vec3 n, vec3 to_eye, float power, inout vec3 ambient, inout vec3 diffuse, "
-          "inout vec3 specular) {\n"
-          "  int slot = " + first + " + light * " + stride + ";\n"
-          "  vec4 kind = " + fixed + "[slot];\n"
-          "  if (kind.x == 0.0) return;\n"
-          "  vec3 to_light = -" + fixed + "[slot + 5].xyz;\n"
-          "  float strength = 1.0;\n"
-          "  if (kind.x < 3.0) {\n"
-          "    vec3 way = " + fixed + "[slot + 4].xyz - p;\n"
-          "    float d = length(way);\n"
-          "    if (d > kind.y) return;\n"
-          "    vec3 a = " + fixed + "[slot + 6].xyz;\n"
-          "    strength = 1.0 / max(a.x + a.y * d + a.z * d * d, 1e-6);\n"
-          "    vec3 direction = way / max(d, 1e-6);\n"
-          "    if (kind.x == 2.0) {\n"
-          "      float rho = dot(to_light, direction);\n"
-          "      vec4 cone = " + fixed + "[slot + 7];\n"
-          "      float inside = clamp((rho - cone.y) / max(cone.x - cone.y, 1e-6), 0.0, 1.0);\n"
-          "      strength *= rho > cone.x ? 1.0 : pow(inside, max(kind.z, 1e-6));\n"
-          "    }\n"
-          "    to_light = direction;\n"
-          "  }\n"
-          "  float facing = dot(n, to_light);\n"
-          "  ambient += strength * " + fixed + "[slot + 3].rgb;\n"
-          "  diffuse += strength * max(facing, 0.0) * " + fixed + "[slot + 1].rgb;\n"
-          "  vec3 h = to_light + to_eye;\n"
-          "  float shine = dot(n, h) / max(length(h), 1e-6);\n"
-          "  if (facing > 0.0 && shine > 0.0) specular += strength * pow(shine, power) * " + fixed + "[slot + 2].rgb;\n"
-          "}\n";
+  text +=
+      "void burin_light(int light, vec3 p, vec3 n, vec3 to_eye, float power, inout vec3 ambient, inout vec3 diffuse, "
+      "inout vec3 specular) {\n"
+      "  int slot = " +
+      first + " + light * " + stride +
+      ";\n"
+      "  vec4 kind = " +
+      fixed +
+      "[slot];\n"
+      "  if (kind.x == 0.0) return;\n"
+      "  vec3 to_light = -" +
+      fixed +
+      "[slot + 5].xyz;\n"
+      "  float strength = 1.0;\n"
+      "  if (kind.x < 3.0) {\n"
+      "    vec3 way = " +
+      fixed +
+      "[slot + 4].xyz - p;\n"
+      "    float d = length(way);\n"
+      "    if (d > kind.y) return;\n"
+      "    vec3 a = " +
+      fixed +
+      "[slot + 6].xyz;\n"
+      "    strength = 1.0 / max(a.x + a.y * d + a.z * d * d, 1e-6);\n"
+      "    vec3 direction = way / max(d, 1e-6);\n"
+      "    if (kind.x == 2.0) {\n"
+      "      float rho = dot(to_light, direction);\n"
+      "      vec4 cone = " +
+      fixed +
+      "[slot + 7];\n"
+      "      float inside = clamp((rho - cone.y) / max(cone.x - cone.y, 1e-6), 0.0, 1.0);\n"
+      "      strength *= rho > cone.x ? 1.0 : pow(inside, max(kind.z, 1e-6));\n"
+      "    }\n"
+      "    to_light = direction;\n"
+      "  }\n"
+      "  float facing = dot(n, to_light);\n"
+      "  ambient += strength * " +
+      fixed +
+      "[slot + 3].rgb;\n"
+      "  diffuse += strength * max(facing, 0.0) * " +
+      fixed +
+      "[slot + 1].rgb;\n"
+      "  vec3 h = to_light + to_eye;\n"
+      "  float shine = dot(n, h) / max(length(h), 1e-6);\n"
+      "  if (facing > 0.0 && shine > 0.0) specular += strength * pow(shine, power) * " +
+      fixed +
+      "[slot + 2].rgb;\n"
+      "}\n";
   return text;
 }
 
@@ -108,20 +127,18 @@ std::string FixedVertexText(const FixedPipeline& pipeline, const std::vector<Sem
   std::string main = "  vec4 world = " + transformed(kSlotWorld, "burin_in_POSITION0") + ";\n" +
                      "  gl_Position = " + transformed(kSlotProjection, transformed(kSlotView, "world")) + ";\n" +
                      "  vec3 turned = " + transformed(kSlotWorld, "vec4(burin_in_NORMAL0.xyz, 0.0)") + ".xyz;\n" +
-                     "  vec3 normal = turned / max(length(turned), 1e-12);\n" +
-                     "  vec3 to_eye = normalize(" + Slot(kSlotEye) + ".xyz - world.xyz);\n";
+                     "  vec3 normal = turned / max(length(turned), 1e-12);\n" + "  vec3 to_eye = normalize(" +
+                     Slot(kSlotEye) + ".xyz - world.xyz);\n";
   if (pipeline.lighting) {
     const std::string diffuse = Source(pipeline.sources[0], kSlotMaterialDiffuse, inputs);
     main += "  vec3 lit_ambient = " + Slot(kSlotAmbient) + ".rgb;\n" +
-            "  vec3 lit_diffuse = vec3(0.0), lit_specular = vec3(0.0);\n" +
-            "  for (int i = 0; i < " + std::to_string(kFixedLights) + "; ++i)\n" +
-            "    burin_light(i, world.xyz, normal, to_eye, " + Slot(kSlotMaterialPower) +
-            ".x, lit_ambient, lit_diffuse, lit_specular);\n" +
+            "  vec3 lit_diffuse = vec3(0.0), lit_specular = vec3(0.0);\n" + "  for (int i = 0; i < " +
+            std::to_string(kFixedLights) + "; ++i)\n" + "    burin_light(i, world.xyz, normal, to_eye, " +
+            Slot(kSlotMaterialPower) + ".x, lit_ambient, lit_diffuse, lit_specular);\n" +
             "  vec4 color = vec4(lit_ambient * " + Source(pipeline.sources[2], kSlotMaterialAmbient, inputs) +
-            ".rgb + lit_diffuse * " + diffuse + ".rgb + " +
-            Source(pipeline.sources[3], kSlotMaterialEmissive, inputs) + ".rgb, " + diffuse + ".a);\n" +
-            "  vec4 shine = vec4(lit_specular * " + Source(pipeline.sources[1], kSlotMaterialSpecular, inputs) +
-            ".rgb, 1.0);\n";
+            ".rgb + lit_diffuse * " + diffuse + ".rgb + " + Source(pipeline.sources[3], kSlotMaterialEmissive, inputs) +
+            ".rgb, " + diffuse + ".a);\n" + "  vec4 shine = vec4(lit_specular * " +
+            Source(pipeline.sources[1], kSlotMaterialSpecular, inputs) + ".rgb, 1.0);\n";
   } else {
     Read(inputs, {"COLOR", 0});
     main += "  vec4 color = burin_in_COLOR0;\n  vec4 shine = vec4(0.0);\n";
