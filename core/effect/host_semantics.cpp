@@ -257,6 +257,8 @@ std::optional<HostValue> FindByMeaning(const fx::Parameter& parameter, const fx:
     }
   }
   auto matrix = ParseMatrix(semantic);
+  // "WVP", "WorldMatrix": a semantic that is another's name.
+  if (!matrix) matrix = ParseMatrix(fx::MatrixOfName(semantic));
   if (!matrix || (!matrix->view && !matrix->projection)) return matrix;
   const fx::EffectAnnotation* frustum = fx::FindAnnotation(parameter.annotations, "frustum");
   const std::string viewer = frustum != nullptr && !frustum->value.strings.empty()

@@ -73,8 +73,8 @@ Result<void> PassStep::CreateTargets(const fx::Effect& effect, const FrameTextur
                                      std::vector<std::string>& warnings) {
   const fx::Pass& pass = PassOf(effect, step_);
   std::vector<std::uint32_t> colors;
-  const int written =
-      pass.program.fragment_entry.empty() && pass.program.fragment_glsl.empty() ? 0 : pass.program.targets;
+  int written = pass.program.targets;
+  for (const fx::ShaderProgram& choice : pass.choices) written = std::max(written, choice.targets);
   const auto add = [&](const gl::Texture& texture, int components, const std::array<float, 4>& clear) {
     writable_.push_back(static_cast<int>(colors.size()) < written ? components : 0);
     clear_colors_.push_back(clear);

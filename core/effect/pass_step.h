@@ -69,7 +69,6 @@ class PassStep {
   struct Variant {
     PassProgram program;
     std::vector<BoundSampler> samplers;
-    int written = 0;   ///< targets
   };
   PassStep() = default;
   [[nodiscard]] std::size_t Choose(const fx::Effect& effect, const fx::ParameterLookup& lookup) const;

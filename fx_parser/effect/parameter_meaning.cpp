@@ -177,6 +177,7 @@ constexpr Named kValues[] = {{"eye", "position", "camera"},
                              {"dirlight0diffusecolor", "diffuse", "light"},
                              {"directionallightcolor", "diffuse", "light"},
                              {"suncolor", "diffuse", "light"},
+    {"sundiffuse", "diffuse", "light"},
                              {"lightspecular", "specular", "light"},
                              {"lightspecularcolor", "specular", "light"},
                              {"lightambient", "ambient", "light"},
@@ -292,6 +293,17 @@ std::optional<ParameterMeaning> MeaningOfState(const Parameter& parameter) {
   return std::nullopt;
 }
 
+/// "g_mLightViewProj": what a light sees; empty for anything else.
+std::string LightMatrixOfName(std::string_view name) {
+  std::string letters = Letters(name);
+  const std::size_t at = letters.find("light");
+  if (at == std::string::npos) return {};
+  letters.erase(at, 5);
+  std::string semantic = MatrixOfName(letters);
+  const bool is_view = semantic.find("view") != std::string::npos || semantic.find("proj") != std::string::npos;
+  return is_view ? semantic : std::string();
+}
+
 bool HasOwnMeaning(const Parameter& parameter) {
   // What a user is to set by a widget is no host's.
   return parameter.has_default || FindAnnotation(parameter.annotations, "UIWidget") != nullptr;
@@ -324,7 +336,12 @@ ParameterMeaning MeaningOf(const Parameter& parameter, bool uses_names) {
   if (!uses_names || parameter.type.kind != TypeKind::kNumeric) return {};
   if (parameter.type.is_matrix) {
     ParameterMeaning meaning;
-    if (!parameter.has_default) meaning.semantic = MatrixOfName(parameter.name);
+    if (parameter.has_default) return meaning;
+    meaning.semantic = MatrixOfName(parameter.name);
+    if (meaning.semantic.empty()) {
+      meaning.semantic = LightMatrixOfName(parameter.name);
+      if (!meaning.semantic.empty()) meaning.object = "light";
+    }
     meaning.is_implied = !meaning.semantic.empty();
     return meaning;
   }

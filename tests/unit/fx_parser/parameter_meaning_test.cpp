@@ -70,6 +70,15 @@ TEST(ParameterMeaning, NumbersInNamesCountLights) {
   EXPECT_EQ(MeaningOf(Make("Time7", ScalarType(Scalar::kFloat)), true).semantic, "");
 }
 
+TEST(ParameterMeaning, MatricesOfLights) {
+  for (const char* name : {"g_mLightViewProj", "LightViewProjection", "matLightViewProj"}) {
+    const ParameterMeaning meaning = MeaningOf(Make(name, kMatrix), true);
+    EXPECT_EQ(meaning.semantic, "viewprojection") << name;
+    EXPECT_EQ(meaning.object, "light") << name;
+  }
+  EXPECT_EQ(MeaningOf(Make("LightWorld", kMatrix), true).semantic, "");
+}
+
 TEST(ParameterMeaning, AddressesOfDxsas) {
   Parameter parameter = Make("x", kMatrix);
   parameter.annotations = {Text("SasBindAddress", "Sas.Camera.WorldToView")};
