@@ -55,8 +55,7 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, st
   }
   if (auto made = result.CreateTargets(effect, frame, textures, warnings); !made) return std::unexpected(made.error());
   const auto add = [&](const fx::ShaderProgram& shaders) {
-    Variant variant{
-        .program = std::move(programs[result.variants_.size()]), .samplers = {}, .written = shaders.targets};
+    Variant variant{.program = std::move(programs[result.variants_.size()]), .samplers = {}};
     result.CreateSamplers(effect, shaders.samplers, textures, lookup, variant.samplers, warnings);
     result.variants_.push_back(std::move(variant));
   };
