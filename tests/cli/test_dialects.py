@@ -77,7 +77,7 @@ class Dialects(BurinTest):
 
     def test_info_says_what_a_user_may_set(self):
         result = self.burin("info", EFFECTS / "sas_bump.fx")
-        self.assertIn("float Height = 1   (0 to 3 in steps of 0.01)", result.stdout)
+        self.assertIn("float Height = 1   (0 to 3 in steps of 0.01)", result.stdout.decode())
 
     def test_values_outside_the_effects_limits_are_said(self):
         write_png(self.folder / "a.png", gradient(7, 5, 3), 3)
