@@ -146,6 +146,10 @@ Result<void> Runner::CreateTextures(const RunnerOptions& options) {
     if (!source) return std::unexpected(source.error());
     source_ = std::move(*source);
   }
+  if (schedule_.replaces_scene) {
+    warnings_.push_back(fmt::format(
+        "{}: it draws the geometry of a scene; the source is none, so the picture stands in", effect_->path));
+  }
   if (schedule_.is_cut) {
     warnings_.push_back(fmt::format("{}: the script of technique '{}' runs more than {} steps: the rest is left out",
                                     effect_->path, effect_->techniques[choice_.technique].name, kMaxSteps));
@@ -369,6 +373,20 @@ Result<void> Runner::RunStep(std::size_t index, const FrameContext& context) {
   return {};
 }
 
+// Where no scene is there, the picture stands in for its objects: a quadrilateral that shows it. Not for attributes of
+// the extension's, which are what a scene is.
+void AdaptToSource(const fx::Effect& effect, const RunnerOptions& options, Schedule& schedule) {
+  for (Step& step : schedule.steps) {
+    const bool is_custom = !effect.techniques[step.technique].custom_attribute.empty();
+    if (step.draws_scene && !is_custom && !effect.uses_extension && !options.has_scene && options.has_source) {
+      step.draws_scene = false;
+      step.shows_source = true;
+      schedule.replaces_scene = true;
+    }
+    step.shows_source &= options.has_source;
+  }
+}
+
 // What this device lacks for one pass; empty when nothing.
 std::string DeviceRefusal(const fx::Pass& pass) {
   GLint draw_buffers = 0;
@@ -431,7 +449,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
   };
   while (true) {
     Schedule schedule = MakeSchedule(*effect, choice->technique, {options.width, options.height}, schedule_options);
-    for (Step& step : schedule.steps) step.shows_source &= options.has_source;
+    AdaptToSource(*effect, options, schedule);
     auto programs = CompilePrograms(*effect, schedule);
     if (programs) {
       auto runner = Runner::Create(effect, options, *choice, std::move(schedule), std::move(*programs));

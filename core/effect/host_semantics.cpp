@@ -172,6 +172,7 @@ std::optional<Kind> KindOfMaterial(std::string_view semantic) {
   if (semantic == "emissive") return Kind::kMaterialEmissive;
   if (semantic == "specularpower") return Kind::kMaterialPower;
   if (semantic == "opacity") return Kind::kMaterialOpacity;
+  if (semantic == "usetexture") return Kind::kMaterialHasTexture;
   return std::nullopt;
 }
 
@@ -218,6 +219,7 @@ bool Fits(Kind kind, const fx::Type& type) {
       return type.components() == 1 && IsFloating(type);
     case Kind::kFrame:
     case Kind::kLightCount:
+    case Kind::kMaterialHasTexture:
       return type.components() == 1;
     case Kind::kFrameSize:
       return !type.is_matrix && type.components() >= 2;

@@ -78,6 +78,8 @@ glm::vec4 OfMaterial(const HostValue& host, const MaterialContext& material) {
       return {material.specular, 1.0f};
     case Kind::kMaterialEmissive:
       return {material.emissive, 1.0f};
+    case Kind::kMaterialHasTexture:
+      return glm::vec4(material.has_texture ? 1.0f : 0.0f);
     case Kind::kMaterialOpacity:
       return glm::vec4(material.diffuse.a);
     default:

@@ -20,7 +20,8 @@ struct HostValue {
   enum class Kind {
     kMatrix, kTime, kLastTime, kElapsedTime, kFrame, kFrameSize, kTexelSize, kHalfPixelSize, kEyePosition,
     kViewDirection, kLightPosition, kLightDirection, kLightColor, kLightAmbient, kLightRange, kLightCount,
-    kMaterialDiffuse, kMaterialAmbient, kMaterialSpecular, kMaterialEmissive, kMaterialPower, kMaterialOpacity,
+    kMaterialDiffuse, kMaterialAmbient, kMaterialSpecular, kMaterialEmissive, kMaterialPower, kMaterialHasTexture,
+    kMaterialOpacity,
     kConstant
   };
   enum class Space { kWorld, kView, kObject };

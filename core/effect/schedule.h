@@ -60,6 +60,7 @@ struct Schedule {
   std::vector<std::size_t> cleared_at_start;
   bool clears_frame_at_start = false;          ///< no step draws into the frame, or some only into a part of it
   bool copies_source = false;                  ///< some step is a kSource
+  bool replaces_scene = false;                 ///< a picture stands in for the scene's geometry
   bool is_cut = false;                         ///< there were more steps than kMaxSteps
   std::vector<Step> steps;
   std::vector<glm::ivec2> texture_sizes;       ///< of every texture; those of files are (1, 1) until they are loaded

@@ -8,6 +8,7 @@
 
 #include "core/effect/effect_runner.h"
 #include "core/effect/parameter_range.h"
+#include "core/effect/texture_meaning.h"
 
 namespace burin::render {
 namespace {
@@ -77,6 +78,30 @@ std::string TechniqueText(const fx::Effect& effect, std::size_t index, const eff
   return text;
 }
 
+std::string_view MeaningText(effect::TextureMeaning meaning) {
+  switch (meaning) {
+    case effect::TextureMeaning::kBaseColor:
+      return "the base colour of what is drawn";
+    case effect::TextureMeaning::kNormal:
+      return "the normal map of what is drawn";
+    case effect::TextureMeaning::kSpecular:
+      return "white, for a gloss map";
+    case effect::TextureMeaning::kEmissive:
+      return "the emissive map of what is drawn";
+    case effect::TextureMeaning::kOcclusion:
+      return "the occlusion map of what is drawn";
+    case effect::TextureMeaning::kEnvironment:
+      return "the surroundings";
+    case effect::TextureMeaning::kNoise:
+      return "noise";
+    case effect::TextureMeaning::kRamp:
+      return "a ramp";
+    case effect::TextureMeaning::kWhite:
+      break;
+  }
+  return "white";
+}
+
 }  // namespace
 
 PassFlow FlowOf(const fx::Effect& effect, const fx::Pass& pass) {
@@ -101,7 +126,8 @@ std::string RoleText(const fx::Texture& texture) {
   if (const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role))
     return target->is_depth_stencil ? "depth-stencil target of scripts" : "target of scripts";
   const std::string& file = std::get<fx::FileRole>(texture.role).file;
-  return file.empty() ? "file, none named" : fmt::format("file {}", file);
+  return file.empty() ? fmt::format("no file: {}", MeaningText(effect::MeaningOf(texture)))
+                      : fmt::format("file {}", file);
 }
 
 std::string SizeText(const fx::Texture& texture) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 
 #include "core/image/convert.h"
@@ -192,9 +193,13 @@ effect::FrameContext FrameRenderer::Context(const SourceFrame& frame) const {
   if (frame.scene) {
     context = frame.scene->context;
   } else {
-    // A picture lies at z = 0, is looked at along -z and lit from above left in front.
+    // A picture lies at z = 0, fills the view of an eye in front of it without perspective, and is lit from above left.
     context.has_scene = false;
     context.eye_world = {0.0f, 0.0f, 1.0f};
+    context.view_from_world = glm::translate(glm::mat4(1.0f), -context.eye_world);
+    context.clip_from_view = glm::orthoRH_ZO(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 2.0f);
+    context.previous_view_from_world = context.view_from_world;
+    context.previous_clip_from_view = context.clip_from_view;
     context.light_direction_world = glm::normalize(glm::vec3(0.45f, -0.75f, -0.6f));
     context.scene_radius = 1.0f;
   }

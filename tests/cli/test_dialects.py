@@ -23,10 +23,11 @@ class Dialects(BurinTest):
             for a, b in zip(actual, wanted):
                 self.assertLessEqual(abs(a - b), 3, (actual, wanted))
 
-    def test_an_object_script_needs_a_scene(self):
-        write_png(self.folder / "a.png", gradient(7, 5, 3), 3)
-        result = self.burin("render", EFFECTS / "sas_plastic.fx", "a.png", "-o", "b.png", status=3)
-        self.assertIn("it draws the geometry of a scene, but the source is none", result.stderr)
+    def test_a_picture_stands_in_for_the_objects_of_a_scene(self):
+        write_png(self.folder / "a.png", gradient(24, 16, 3), 3)
+        result = self.burin("render", EFFECTS / "sas_plastic.fx", "a.png", "-o", "b.png")
+        self.assertIn("it draws the geometry of a scene; the source is none, so the picture stands in", result.stderr)
+        self.assertGreater(len(set(self.pixels("b.png"))), 30)
 
     def test_effects_of_every_dialect_draw_a_scene(self):
         if not SCENE.exists():

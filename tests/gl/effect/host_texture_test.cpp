@@ -149,6 +149,19 @@ TEST_F(HostTexture, APictureIsWhatARegisterWithoutATextureShows) {
   EXPECT_EQ(warnings_, (std::vector<std::string>{"test.fx: sampler 's' has no texture: a stand-in is used"}));
 }
 
+TEST_F(HostTexture, APictureStandsInForObjects) {
+  const std::string text =
+      "float Script : STANDARDSGLOBAL = 0.8; texture t : DIFFUSE; sampler s = sampler_state { Texture = <t>; };\n" +
+      kObject + "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
+      "technique T < string Script = \"Pass=P;\"; > { pass P < string Script = \"Draw=Geometry;\"; > { VertexShader = "
+      "compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }";
+  RunnerOptions options = Options();
+  options.has_source = true;
+  EXPECT_RGBA8(Run(text, options), 0.8f, 0, 0.2f, 1);
+  EXPECT_EQ(warnings_, (std::vector<std::string>{
+                           "test.fx: it draws the geometry of a scene; the source is none, so the picture stands in"}));
+}
+
 TEST_F(HostTexture, CubesShowTheSurroundings) {
   const std::string text =
       "texture e : ENVIRONMENT < string ResourceName = \"default_reflection.dds\"; string ResourceType = \"Cube\"; >; "
