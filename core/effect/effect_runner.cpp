@@ -373,6 +373,16 @@ Result<void> Runner::RunStep(std::size_t index, const FrameContext& context) {
   return {};
 }
 
+// A picture is an object with a texture.
+void ChooseForPicture(const fx::Effect& effect, TechniqueChoice& choice) {
+  const MaterialContext picture{.has_texture = true};
+  for (const std::size_t technique : choice.by_object) {
+    if (effect.techniques[technique].passes.empty() || !Draws(effect.techniques[technique], picture)) continue;
+    choice.technique = technique;
+    return;
+  }
+}
+
 // Where no scene is there, the picture stands in for its objects: a quadrilateral that shows it. Not for attributes of
 // the extension's, which are what a scene is.
 void AdaptToSource(const fx::Effect& effect, const RunnerOptions& options, Schedule& schedule) {
@@ -440,6 +450,7 @@ Result<std::unique_ptr<EffectRunner>> EffectRunner::Create(std::shared_ptr<const
   if (!choice) return std::unexpected(choice.error());
   auto overrides = ParseOverrides(*effect, options.parameters);
   if (!overrides) return std::unexpected(overrides.error());
+  if (!options.has_scene && !choice->by_object.empty()) ChooseForPicture(*effect, *choice);
   ScheduleOptions schedule_options{.has_scene = options.has_scene, .number = {}, .by_object = choice->by_object};
   schedule_options.number = [&](std::size_t parameter) {
     const auto found = overrides->parameters.find(parameter);

@@ -304,6 +304,13 @@ bool IsOfScene(const HostValue& host) {
   return host.is_of_material() || (host.kind >= Kind::kEyePosition && host.kind <= Kind::kLightCount);
 }
 
+// Whether a picture, which faces +z, is lit by it: a light that stands or shines behind it leaves all dark.
+bool LightsPictures(const HostValue& host, const fx::Value& value) {
+  if (value.numbers.size() < 3) return true;
+  if (host.kind == Kind::kLightDirection) return value.numbers[2] <= 0.0;
+  return host.kind != Kind::kLightPosition || value.numbers[2] >= 0.0;
+}
+
 }  // namespace
 
 std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Parameter& parameter,
@@ -339,7 +346,8 @@ std::optional<HostValue> FindHostValue(const fx::Effect& effect, const fx::Param
   if (host && !Fits(host->kind, parameter.type)) return std::nullopt;
   if (host && host->kind != Kind::kMatrix) host->space = SpaceOf(parameter);
   if (host) {
-    host->yields_to_default = parameter.has_default && IsOfScene(*host);
+    host->yields_to_default =
+        parameter.has_default && IsOfScene(*host) && LightsPictures(*host, parameter.default_value);
     host->points_to_light = host->kind == Kind::kLightDirection && meaning.is_implied && !parameter.is_negated;
   }
   return host;

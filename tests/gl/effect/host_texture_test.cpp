@@ -152,7 +152,8 @@ TEST_F(HostTexture, APictureIsWhatARegisterWithoutATextureShows) {
 TEST_F(HostTexture, APictureStandsInForObjects) {
   const std::string text =
       "float Script : STANDARDSGLOBAL = 0.8; texture t : DIFFUSE; sampler s = sampler_state { Texture = <t>; };\n" +
-      kObject + "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
+      kObject +
+      "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
       "technique T < string Script = \"Pass=P;\"; > { pass P < string Script = \"Draw=Geometry;\"; > { VertexShader = "
       "compile vs_2_0 VS(); PixelShader = compile ps_2_0 PS(); } }";
   RunnerOptions options = Options();
@@ -197,6 +198,8 @@ TEST_F(HostTexture, TechniquesAreChosenObjectByObject) {
   textured.has_texture = true;
   EXPECT_RGBA8(Run(text, options, Scene({}, 0)), 1, 0, 0, 1);
   EXPECT_RGBA8(Run(text, options, Scene(textured, texture_.id())), 0, 1, 0, 1);
+  options.has_scene = false;
+  EXPECT_RGBA8(Run(text, options), 0, 1, 0, 1) << "a picture is a texture";
 }
 
 // The light looks down from above at the scene's middle, which is then the middle of its picture.
@@ -259,6 +262,9 @@ TEST_F(HostTexture, ValuesOfObjectsLightsAndControllers) {
   context.has_scene = false;
   EXPECT_RGBA8(value("float3 d : DIRECTION < string Object = \"Light\"; > = {0, 0.4, 0};", "float4(d, 1)", context), 0,
                0.4f, 0, 1);
+  EXPECT_RGBA8(value("float3 d : DIRECTION < string Object = \"Light\"; > = {0, 0.4, 1};", "float4(-d, 1)", context), 0,
+               1, 0, 1)
+      << "one from behind leaves a picture dark";
 }
 
 }  // namespace
