@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/effect/frame_context.h"
+#include "core/effect/texture_meaning.h"
 #include "core/gl/texture.h"
 #include "core/image/image.h"
 #include "fx_parser/effect/effect.h"
@@ -26,17 +28,30 @@ struct AttributeTarget {
 /// One draw of the scene for a custom attribute's technique: set the matrices of `world_from_object`, then call `draw`.
 struct SceneDraw {
   glm::mat4 world_from_object{1.0f};
-  std::function<void()> draw;         ///< binds the vertex array and draws; the program and states are the effect's
+  std::function<void()> draw{};       ///< binds the vertex array and draws; the program and states are the effect's
+  MaterialContext material{};
+  /// The GL name of one of its material's textures, mipmapped; `is_decoded`: display-encoded ones read as scene-linear.
+  /// 0: it has none. Null: no material has any.
+  std::function<std::uint32_t(TextureMeaning meaning, bool is_decoded)> texture{};
 };
 using SceneDraws = std::function<Result<std::vector<SceneDraw>>()>;
 
-/// Finds and decodes the file of a texture parameter.
-using TextureLoader = std::function<Result<image::Image>(const std::string& path)>;
+/// Compiles the effect of an offscreen target, by its name in the file.
+using EffectOpener = std::function<Result<std::shared_ptr<const fx::Effect>>(const std::string& path)>;
+
+/// Finds and decodes the file of a texture parameter; nothing when there is no such file.
+using TextureLoader = std::function<Result<std::optional<image::Image>>(const std::string& path)>;
 
 struct RunnerOptions {
   std::string technique;                               ///< empty: the first that validates
   std::vector<std::pair<std::string, std::string>> parameters;   ///< --param NAME=VALUE
   TextureLoader load_texture;
+  std::string texture_folders;                         ///< where it looks, for messages
+  /// The GL name of a cube map of what is all around, display-encoded; null or 0: a grey cube.
+  std::function<std::uint32_t()> environment;
+  EffectOpener open_effect;                            ///< null: offscreen targets show the scene
+  std::array<float, 4> clear_color{};                  ///< of the frame
+  bool has_source = false;                             ///< a scene or a picture
   bool has_scene = false;                              ///< the source has geometry; otherwise it is a picture
   int width = 0;                                       ///< of the frame
   int height = 0;
@@ -49,6 +64,8 @@ struct RunnerOptions {
 struct TechniqueChoice {
   std::size_t technique = 0;
   std::vector<std::pair<std::string, std::string>> rejected;   ///< name, reason
+  /// Where objects choose among several (ObjectTechniques()), `technique` being the first that draws; else empty.
+  std::vector<std::size_t> by_object;
 };
 
 /// Chooses without GL (for `burin info` and `burin check`): kUsage for an unknown --technique, kInput when none is valid.

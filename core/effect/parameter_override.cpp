@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "core/effect/parameter_part.h"
 #include "core/effect/text.h"
+#include "fx_parser/semantics/conversion.h"
 #include "fx_parser/source/diagnostic.h"
 
 namespace burin::effect {
@@ -69,32 +72,41 @@ std::expected<double, std::string> ParseComponent(fx::Scalar scalar, std::string
   return *number;
 }
 
-std::size_t ComponentCount(const fx::Type& type) {
-  std::size_t count = static_cast<std::size_t>(type.components());
-  for (const std::uint32_t size : type.array) count *= size;
-  return count;
+// The numbers of a part of a parameter, one a scalar.
+std::expected<std::vector<double>, std::string> ParseNumbers(const fx::Type& type, const std::string& text) {
+  const bool has_numbers = type.kind == fx::TypeKind::kNumeric || type.kind == fx::TypeKind::kStruct;
+  std::vector<fx::Scalar> scalars;
+  if (has_numbers && fx::FlatComponents(type) > 0) fx::AppendFlatScalars(type, scalars);
+  if (scalars.empty()) return std::unexpected(std::string("values of this type cannot be set"));
+  const auto words = SplitNumbers(text);
+  if (words.size() != scalars.size()) {
+    return std::unexpected(
+        fmt::format("expected {} number{}, found {}", scalars.size(), scalars.size() == 1 ? "" : "s", words.size()));
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto number = ParseComponent(scalars[i], words[i]);
+    if (!number) return std::unexpected(number.error());
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
-std::expected<fx::Value, std::string> ParseValue(const fx::Parameter& parameter, const std::string& text) {
-  fx::Value value;
+// `so_far`: of an earlier assignment or the default; what `path` does not name stays as it is.
+std::expected<fx::Value, std::string> ParseValue(const fx::Parameter& parameter, const std::string& path,
+                                                 const std::string& text, const fx::Value& so_far) {
+  fx::Value value = so_far;
   value.type = parameter.type;
   if (parameter.type.kind == fx::TypeKind::kString && !parameter.type.is_array()) {
     value.strings = {text};
     return value;
   }
-  if (parameter.type.kind != fx::TypeKind::kNumeric) {
-    return std::unexpected(std::string("values of this type cannot be set"));
-  }
-  const auto words = SplitNumbers(text);
-  const std::size_t count = ComponentCount(parameter.type);
-  if (words.size() != count) {
-    return std::unexpected(fmt::format("expected {} number{}, found {}", count, count == 1 ? "" : "s", words.size()));
-  }
-  for (const std::string_view word : words) {
-    const auto number = ParseComponent(parameter.type.scalar, word);
-    if (!number) return std::unexpected(number.error());
-    value.numbers.push_back(*number);
-  }
+  const auto part = FindPart(parameter, path);
+  if (!part) return std::unexpected(part.error());
+  const auto numbers = ParseNumbers(part->type, text);
+  if (!numbers) return std::unexpected(numbers.error());
+  value.numbers.resize(std::max(value.numbers.size(), part->offset + numbers->size()));
+  std::copy(numbers->begin(), numbers->end(), value.numbers.begin() + static_cast<std::ptrdiff_t>(part->offset));
   return value;
 }
 
@@ -127,9 +139,11 @@ Result<Overrides> ParseOverrides(const fx::Effect& effect,
                                  const std::vector<std::pair<std::string, std::string>>& parameters) {
   Overrides overrides;
   for (const auto& [name, text] : parameters) {
-    if (const auto index = Find(effect.parameters, name)) {
+    if (const auto index = Find(effect.parameters, std::string(ParameterName(name)))) {
       const fx::Parameter& parameter = effect.parameters[*index];
-      auto value = ParseValue(parameter, text);
+      const auto earlier = overrides.parameters.find(*index);
+      auto value = ParseValue(parameter, name, text,
+                              earlier != overrides.parameters.end() ? earlier->second : parameter.default_value);
       if (!value) {
         return Fail(ErrorKind::kUsage, fmt::format("parameter '{}' of {} ({}): {}", name, effect.path,
                                                    fx::ToString(parameter.type), value.error()));

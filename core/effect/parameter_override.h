@@ -18,7 +18,8 @@ struct Overrides {
 };
 
 /// A value is as many numbers as the parameter has components, separated by commas or spaces (matrices row by row, arrays
-/// element after element); `true` and `false` for bools; any text for strings; a file for textures.
+/// element after element, structs member after member); a part of a parameter can be named alone, "Lights[1].Color";
+/// `true` and `false` for bools; any text for strings; a file for textures.
 /// Errors: kUsage, naming near names, or what was expected and what was found.
 [[nodiscard]] Result<Overrides> ParseOverrides(const fx::Effect& effect,
                                                const std::vector<std::pair<std::string, std::string>>& parameters);

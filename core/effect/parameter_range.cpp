@@ -29,6 +29,10 @@ std::optional<double> Limit(const fx::Parameter& parameter, const std::array<std
 
 }  // namespace
 
+ParameterLimits LimitsOf(const fx::Parameter& parameter, std::size_t component) {
+  return {.lowest = Limit(parameter, kLowest, component), .highest = Limit(parameter, kHighest, component)};
+}
+
 std::vector<std::string> RangeWarnings(const fx::Effect& effect, const Overrides& overrides) {
   std::vector<std::string> warnings;
   for (const auto& [index, value] : overrides.parameters) {

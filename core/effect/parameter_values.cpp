@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/parameter_values.h"
 
+#include <algorithm>
+
 #include "core/effect/text.h"
+#include "fx_parser/semantics/conversion.h"
 
 namespace burin::effect {
 
@@ -20,10 +23,19 @@ ParameterValues::ParameterValues(const fx::Effect& effect, const Overrides& over
     values_.push_back(parameter.default_value);
     if (auto host = FindHostValue(effect, parameter, warnings)) {
       values_.back().type = parameter.type;
-      values_.back().numbers.resize(static_cast<std::size_t>(parameter.type.components()), 0.0);
-      bindings_.push_back({i, std::move(*host)});
+      std::size_t size = static_cast<std::size_t>(parameter.type.components());
+      for (const std::uint32_t length : parameter.type.array) size *= length;
+      values_.back().numbers.resize(size, 0.0);
+      bindings_.push_back({i, {.offset = 0, .type = parameter.type, .host = std::move(*host)}});
     }
+    for (HostPart& part : FindHostParts(parameter)) bindings_.push_back({i, std::move(part)});
   }
+}
+
+bool ParameterValues::has_material_color() const {
+  return std::any_of(bindings_.begin(), bindings_.end(), [](const HostBinding& binding) {
+    return binding.part.host.kind == HostValue::Kind::kMaterialDiffuse;
+  });
 }
 
 void ParameterValues::SetFrame(const FrameContext& context) {
@@ -32,7 +44,7 @@ void ParameterValues::SetFrame(const FrameContext& context) {
 
 void ParameterValues::SetObject(const FrameContext& context) {
   for (const HostBinding& binding : bindings_) {
-    if (binding.host.depends_on_object()) Update(binding, context);
+    if (binding.part.host.depends_on_object()) Update(binding, context);
   }
 }
 
@@ -46,7 +58,11 @@ void ParameterValues::Set(std::size_t parameter, double number) {
 void ParameterValues::Update(const HostBinding& binding, const FrameContext& context) {
   std::vector<double>& numbers = values_[binding.parameter].numbers;
   scratch_.assign(numbers.begin(), numbers.end());
-  Evaluate(binding.host, context, texture_sizes_, values_[binding.parameter].type, column_vectors_, numbers);
+  const std::span<double> all(numbers);
+  const HostPart& part = binding.part;
+  const auto whole = static_cast<std::size_t>(fx::FlatComponents(part.type));
+  if (part.offset + whole > all.size()) return;
+  Evaluate(part.host, context, texture_sizes_, part.type, column_vectors_, all.subspan(part.offset, whole));
   if (numbers != scratch_) ++versions_[binding.parameter];
 }
 

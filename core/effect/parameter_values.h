@@ -29,13 +29,15 @@ class ParameterValues {
   /// Of a script's loop: the first component.
   void Set(std::size_t parameter, double number);
 
+  /// Whether a parameter gets the diffuse colour of objects.
+  [[nodiscard]] bool has_material_color() const;
   [[nodiscard]] const fx::Value& value(std::size_t parameter) const { return values_[parameter]; }
   [[nodiscard]] std::uint64_t version(std::size_t parameter) const { return versions_[parameter]; }
 
  private:
   struct HostBinding {
     std::size_t parameter;
-    HostValue host;
+    HostPart part;
   };
   void Update(const HostBinding& binding, const FrameContext& context);
 

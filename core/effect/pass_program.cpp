@@ -71,6 +71,8 @@ Result<PassProgram> PassProgram::Create(const fx::Effect& effect, const fx::Shad
   result.alpha_test_ = result.program_.UniformLocation(std::string(fx::kUniformAlphaTest));
   result.target_size_ = result.program_.UniformLocation(std::string(fx::kUniformTargetSize));
   result.texel_ = result.program_.UniformLocation(std::string(fx::kUniformTexel));
+  result.fixed_ = result.program_.UniformLocation(std::string(fx::kUniformFixed) + "[0]");
+  if (result.fixed_ < 0) result.fixed_ = result.program_.UniformLocation(std::string(fx::kUniformFixed));
   for (const std::size_t index : shaders.parameters) {
     const fx::Parameter& parameter = effect.parameters[index];
     Uniform uniform{.parameter = index, .version = 0, .leaves = {}};
@@ -127,6 +129,10 @@ void PassProgram::Use(const ParameterValues& values, const HostUniforms& host) {
 
 void PassProgram::SetTexel(const std::array<float, 4>& texel) {
   if (texel_ >= 0) glUniform4fv(texel_, 1, texel.data());
+}
+
+void PassProgram::SetFixed(const std::vector<float>& numbers) {
+  if (fixed_ >= 0) glUniform4fv(fixed_, static_cast<GLsizei>(numbers.size() / 4), numbers.data());
 }
 
 void PassProgram::UpdateParameters(const ParameterValues& values) {

@@ -29,6 +29,9 @@ class PassProgram {
   void Use(const ParameterValues& values, const HostUniforms& host);
   /// Of a program that fills a texture, while it is current: fx::kUniformTexel.
   void SetTexel(const std::array<float, 4>& texel);
+  /// fx::kUniformFixed, while it is current: FixedValues().
+  void SetFixed(const std::vector<float>& numbers);
+  [[nodiscard]] bool has_fixed() const { return fixed_ >= 0; }
   /// Between draws: uploads what changed.
   void UpdateParameters(const ParameterValues& values);
 
@@ -55,6 +58,7 @@ class PassProgram {
   int alpha_test_ = -1;
   int target_size_ = -1;
   int texel_ = -1;
+  int fixed_ = -1;
   std::vector<float> floats_;
   std::vector<std::int32_t> ints_;
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/effect/fixed_values.h"
 #include "core/effect/srgb_view.h"
 #include "core/effect/state_binder.h"
 #include "core/effect/target_format.h"
@@ -29,19 +30,9 @@ const fx::Pass& PassOf(const fx::Effect& effect, const Step& step) {
   return effect.techniques[step.technique].passes[step.pass];
 }
 
-std::array<float, 4> ClearColor(const fx::Texture& texture) {
-  std::array<float, 4> color{0, 0, 0, HasAlpha(texture.format) ? 0.0f : 1.0f};
-  const fx::EffectAnnotation* annotation = fx::FindAnnotation(texture.annotations, "ClearColor");
-  if (annotation == nullptr) return color;
-  for (std::size_t i = 0; i < 4 && i < annotation->value.numbers.size(); ++i) {
-    if (i < 3 || HasAlpha(texture.format)) color[i] = static_cast<float>(annotation->value.numbers[i]);
-  }
-  return color;
-}
-
 }  // namespace
 
-Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, PassProgram program,
+Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, std::vector<PassProgram> programs,
                                   const FrameTexture& frame, TextureStore& textures, const fx::ParameterLookup& lookup,
                                   std::vector<std::string>& warnings) {
   PassStep result;
@@ -49,7 +40,7 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, Pa
   const fx::Pass& pass = PassOf(effect, step);
   result.label_ = fmt::format("{}: technique '{}', pass {}", effect.path, effect.techniques[step.technique].name,
                               pass.name.empty() ? fmt::format("{}", step.pass) : fmt::format("'{}'", pass.name));
-  result.program_ = std::move(program);
+  result.is_fixed_vertex_ = pass.fixed && pass.fixed->is_vertex;
   for (const fx::PassState& state : pass.states) {
     if (const auto* value = std::get_if<fx::Value>(&state.value)) {
       if (const std::string fault = SetState(result.states_, state.name, *value); !fault.empty()) {
@@ -63,7 +54,17 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, Pa
     warnings.push_back(fmt::format("{}: ScissorTestEnable is ignored: there is no scissor rectangle", result.label_));
   }
   if (auto made = result.CreateTargets(effect, frame, textures, warnings); !made) return std::unexpected(made.error());
-  result.CreateSamplers(effect, textures, lookup, warnings);
+  const auto add = [&](const fx::ShaderProgram& shaders) {
+    Variant variant{.program = std::move(programs[result.variants_.size()]), .samplers = {}};
+    result.CreateSamplers(effect, shaders.samplers, textures, lookup, variant.samplers, warnings);
+    result.variants_.push_back(std::move(variant));
+  };
+  add(pass.program);
+  for (const fx::ShaderProgram& choice : pass.choices) {
+    const bool is_there = !choice.vertex_glsl.empty();
+    if (is_there) add(choice);
+    result.choices_.push_back(is_there ? result.variants_.size() - 1 : 0);
+  }
   return result;
 }
 
@@ -71,14 +72,14 @@ Result<void> PassStep::CreateTargets(const fx::Effect& effect, const FrameTextur
                                      std::vector<std::string>& warnings) {
   const fx::Pass& pass = PassOf(effect, step_);
   std::vector<std::uint32_t> colors;
-  const int written =
-      pass.program.fragment_entry.empty() && pass.program.fragment_glsl.empty() ? 0 : pass.program.targets;
+  int written = pass.program.targets;
+  for (const fx::ShaderProgram& choice : pass.choices) written = std::max(written, choice.targets);
   const auto add = [&](const gl::Texture& texture, int components, const std::array<float, 4>& clear) {
     writable_.push_back(static_cast<int>(colors.size()) < written ? components : 0);
     clear_colors_.push_back(clear);
     colors.push_back(texture.id());
   };
-  if (step_.targets.empty()) add(*frame.texture, kAllComponents, {0, 0, 0, 0});
+  if (step_.targets.empty()) add(*frame.texture, kAllComponents, frame.clear_color);
   for (const std::size_t target : step_.targets) {
     const fx::Texture& texture = effect.textures[target];
     add(*textures.texture(target), HasAlpha(texture.format) ? kAllComponents : kNoAlpha, ClearColor(texture));
@@ -120,11 +121,17 @@ Result<gl::FramebufferHandle> PassStep::CreateSrgbFramebuffer(const fx::Effect& 
   return CreateFramebuffer(colors, depth_stencil, label_);
 }
 
-void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, const fx::ParameterLookup& lookup,
+void PassStep::CreateSamplers(const fx::Effect& effect, const std::vector<std::size_t>& samplers,
+                              TextureStore& textures, const fx::ParameterLookup& lookup, std::vector<BoundSampler>& all,
                               std::vector<std::string>& warnings) {
-  for (const std::size_t index : PassOf(effect, step_).program.samplers) {
+  for (const std::size_t index : samplers) {
     const fx::Sampler& sampler = effect.samplers[index];
-    BoundSampler bound{.index = index, .sampler = CreateSampler(), .states = {}, .is_dynamic = false, .texture = 0};
+    BoundSampler bound{.index = index,
+                       .sampler = CreateSampler(),
+                       .states = {},
+                       .is_dynamic = false,
+                       .texture = 0,
+                       .meaning = textures.HostMeaning(sampler)};
     bool may_be_srgb = false;
     for (const fx::SamplerState& state : sampler.states) {
       may_be_srgb |= state.name == fx::SamplerStateName::kSrgbTexture;
@@ -141,14 +148,17 @@ void PassStep::CreateSamplers(const fx::Effect& effect, TextureStore& textures, 
         warnings.push_back(fmt::format("{}: sampler '{}': {}: ignored", effect.path, sampler.name, fault));
     }
     if (!sampler.texture) {
-      warnings.push_back(fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
+      const bool is_given = bound.meaning && IsOfMaterial(*bound.meaning) && (step_.draws_scene || step_.shows_source);
+      if (!is_given)
+        warnings.push_back(
+            fmt::format("{}: sampler '{}' has no texture: a stand-in is used", effect.path, sampler.name));
     } else if (may_be_srgb && !textures.AddSrgbView(*sampler.texture)) {
       warnings.push_back(fmt::format("{}: sampler '{}': SRGBTexture has no effect on {}, whose format has no sRGB form",
                                      effect.path, sampler.name, effect.textures[*sampler.texture].name));
     }
     UpdateSampler(bound.sampler, bound.states);
     bound.texture = textures.ForSampler(sampler, bound.states.srgb);
-    samplers_.push_back(std::move(bound));
+    all.push_back(std::move(bound));
   }
 }
 
@@ -180,8 +190,9 @@ HostUniforms PassStep::MakeHostUniforms(const fx::Effect& effect, const RenderSt
 }
 
 void PassStep::BindSamplers(const fx::Effect& effect, const TextureStore& textures, const fx::ParameterLookup& lookup) {
-  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
-    BoundSampler& bound = samplers_[unit];
+  std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  for (std::size_t unit = 0; unit < samplers.size(); ++unit) {
+    BoundSampler& bound = samplers[unit];
     if (bound.is_dynamic) {
       const fx::Sampler& sampler = effect.samplers[bound.index];
       SamplerStates states = bound.states;
@@ -204,6 +215,7 @@ void PassStep::BindSamplers(const fx::Effect& effect, const TextureStore& textur
 
 Result<void> PassStep::Begin(const fx::Effect& effect, const TextureStore& textures, const ParameterValues& values,
                              const fx::ParameterLookup& lookup, std::vector<std::string>& warnings) {
+  current_ = Choose(effect, lookup);
   RenderStates states = states_;
   for (const fx::PassState* state : dynamic_states_) {
     const auto value = fx::EvaluateExpression(effect, *std::get<const fx::ast::Expression*>(state->value), lookup);
@@ -222,14 +234,52 @@ Result<void> PassStep::Begin(const fx::Effect& effect, const TextureStore& textu
   BindStates(states, {.writable = writable_, .has_depth_stencil = step_.uses_depth_stencil},
              /*front_is_clockwise=*/true);
   BindSamplers(effect, textures, lookup);
-  program_.Use(values, MakeHostUniforms(effect, states));
+  variants_[current_].program.Use(values, MakeHostUniforms(effect, states));
   return {};
+}
+
+// The variant that the parameters choose now; an index outside its array is its nearest end.
+std::size_t PassStep::Choose(const fx::Effect& effect, const fx::ParameterLookup& lookup) const {
+  if (choices_.empty()) return 0;
+  const fx::Pass& pass = PassOf(effect, step_);
+  const auto index = [&](const fx::ShaderChoice& choice) -> std::size_t {
+    if (choice.index == nullptr) return 0;
+    const auto value = fx::EvaluateExpression(effect, *choice.index, lookup);
+    const double at = value && !value->numbers.empty() ? value->numbers[0] : 0.0;
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(choice.count - 1)));
+  };
+  return choices_[index(pass.vertex_choice) * pass.pixel_choice.count + index(pass.pixel_choice)];
+}
+
+void PassStep::UpdateObject(const fx::Effect& effect, const ParameterValues& values, const FrameContext& context,
+                            const fx::ParameterLookup& lookup) {
+  PassProgram& program = variants_[current_].program;
+  program.UpdateParameters(values);
+  const fx::Pass& pass = PassOf(effect, step_);
+  if (pass.fixed && program.has_fixed()) program.SetFixed(FixedValues(effect, *pass.fixed, context, lookup));
+}
+
+bool PassStep::Shows(TextureMeaning meaning) const {
+  const std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  return std::any_of(samplers.begin(), samplers.end(),
+                     [&](const BoundSampler& bound) { return bound.meaning == meaning; });
+}
+
+void PassStep::BindHostTextures(const std::function<std::uint32_t(TextureMeaning, bool)>& texture) const {
+  if (!texture) return;
+  const std::vector<BoundSampler>& samplers = variants_[current_].samplers;
+  for (std::size_t unit = 0; unit < samplers.size(); ++unit) {
+    const BoundSampler& bound = samplers[unit];
+    if (!bound.meaning) continue;
+    const std::uint32_t given = texture(*bound.meaning, bound.states.srgb);
+    glBindTextureUnit(static_cast<GLuint>(unit), given != 0 ? given : bound.texture);
+  }
 }
 
 void PassStep::SetFrontFace(bool clockwise) const { glFrontFace(clockwise ? GL_CW : GL_CCW); }
 
 void PassStep::End() const {
-  for (std::size_t unit = 0; unit < samplers_.size(); ++unit) {
+  for (std::size_t unit = 0; unit < variants_[current_].samplers.size(); ++unit) {
     glBindSampler(static_cast<GLuint>(unit), 0);
     glBindTextureUnit(static_cast<GLuint>(unit), 0);
   }

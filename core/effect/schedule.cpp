@@ -19,7 +19,7 @@ const fx::Pass& PassOf(const fx::Effect& effect, const Step& step) {
 
 void CollectTextures(const fx::Effect& effect, const fx::Technique& technique, std::set<std::size_t>& textures) {
   for (const fx::Pass& pass : technique.passes) {
-    for (const std::size_t sampler : pass.program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(pass)) {
       if (effect.samplers[sampler].texture) textures.insert(*effect.samplers[sampler].texture);
     }
     textures.insert(pass.targets.begin(), pass.targets.end());
@@ -63,6 +63,7 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
       schedule.pass_results.push_back(index);
     } else if (const auto* target = std::get_if<fx::ScriptTargetRole>(&role)) {
       if (!target->is_depth_stencil) schedule.pass_results.push_back(index);
+      if (target->is_offscreen) schedule.offscreen.push_back(index);
     } else if (std::holds_alternative<fx::ProceduralRole>(role)) {
       schedule.procedural.push_back(index);
     } else {
@@ -71,13 +72,20 @@ void SortByRole(const fx::Effect& effect, const std::set<std::size_t>& used, Sch
   }
 }
 
+// The last pass of some engines' techniques only puts states back.
+bool DrawsNothing(const fx::Technique& technique, std::size_t pass) {
+  return technique.passes.size() > 1 && technique.passes[pass].restores_states;
+}
+
 void AddSteps(const fx::Effect& effect, std::size_t technique, std::optional<std::size_t> custom_target,
               glm::ivec2 frame, bool has_scene, Schedule& schedule) {
   for (std::size_t pass = 0; pass < effect.techniques[technique].passes.size(); ++pass) {
+    if (DrawsNothing(effect.techniques[technique], pass)) continue;
     Step step;
     step.technique = technique;
     step.pass = pass;
     step.draws_scene = custom_target.has_value() || (has_scene && effect.techniques[technique].passes[pass].projects);
+    step.shows_source = !step.draws_scene && !effect.uses_extension;
     if (custom_target) {
       step.targets = {*custom_target};
     } else {
@@ -93,7 +101,7 @@ void PlanClears(const fx::Effect& effect, Schedule& schedule) {
   std::set<std::size_t> touched;
   bool frame_touched = false;
   for (Step& step : schedule.steps) {
-    for (const std::size_t sampler : PassOf(effect, step).program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(PassOf(effect, step))) {
       const auto texture = effect.samplers[sampler].texture;
       if (!texture || touched.contains(*texture)) continue;
       const auto* attribute = std::get_if<fx::AttributeRole>(&effect.textures[*texture].role);
@@ -196,21 +204,28 @@ glm::ivec2 ScaledSize(double scale, glm::ivec2 frame) {
 
 Schedule MakeSchedule(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame,
                       const ScheduleOptions& options) {
+  const std::vector<std::size_t> techniques =
+      options.by_object.empty() || !options.has_scene ? std::vector{technique} : options.by_object;
   Schedule schedule;
   for (const fx::Texture& texture : effect.textures) schedule.texture_sizes.push_back(SizeOf(texture, frame));
-  SortByRole(effect, TexturesUsed(effect, technique), schedule);
+  std::set<std::size_t> used;
+  for (const std::size_t each : techniques) used.merge(TexturesUsed(effect, each));
+  SortByRole(effect, used, schedule);
   for (const std::size_t index : schedule.custom_attributes) {
     const auto& role = std::get<fx::AttributeRole>(effect.textures[index].role);
     if (const auto filler = CustomTechnique(effect, role.attribute))
       AddSteps(effect, *filler, index, frame, options.has_scene, schedule);
   }
-  const bool is_scripted = !effect.techniques[technique].script.empty();
-  if (!is_scripted) AddSteps(effect, technique, std::nullopt, frame, options.has_scene, schedule);
+  const bool is_scripted =
+      std::ranges::any_of(techniques, [&](std::size_t each) { return !effect.techniques[each].script.empty(); });
+  for (const std::size_t each : techniques) {
+    if (!is_scripted) AddSteps(effect, each, std::nullopt, frame, options.has_scene, schedule);
+  }
   PlanClears(effect, schedule);
   PlanDepthStencil(effect, schedule);
   if (is_scripted) {
     schedule.clears_frame_at_start = false;
-    AddScriptSteps(effect, technique, frame, options, schedule);
+    AddScriptSteps(effect, techniques, frame, options, schedule);
   }
   return schedule;
 }

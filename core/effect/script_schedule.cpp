@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/effect/text.h"
@@ -19,22 +20,16 @@ constexpr std::size_t kColorTargets = 8;
 
 class ScriptRun {
  public:
-  ScriptRun(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame, const ScheduleOptions& options,
-            Schedule& schedule)
-      : effect_(effect),
-        script_(effect.techniques[technique].script),
-        technique_(technique),
-        frame_(frame),
-        options_(options),
-        schedule_(schedule) {}
+  ScriptRun(const fx::Effect& effect, glm::ivec2 frame, const ScheduleOptions& options, Schedule& schedule)
+      : effect_(effect), frame_(frame), options_(options), schedule_(schedule) {}
 
-  void Run() {
-    RunRange(0, script_.size());
-    if (clear_.color || clear_.depth || clear_.stencil) AddClear();
+  void Run(const std::vector<std::size_t>& techniques) {
+    for (const std::size_t technique : techniques) RunTechnique(technique);
     if (!drew_into_frame_) schedule_.clears_frame_at_start = true;
   }
 
  private:
+  void RunTechnique(std::size_t technique);
   void RunRange(std::size_t begin, std::size_t end);
   void RunAction(const fx::ScriptStep& step);
   [[nodiscard]] std::size_t LoopEnd(std::size_t begin, std::size_t end) const;
@@ -48,13 +43,15 @@ class ScriptRun {
   void Add(Step step);
 
   const fx::Effect& effect_;
-  const std::vector<fx::ScriptStep>& script_;
-  std::size_t technique_;
   glm::ivec2 frame_;
   const ScheduleOptions& options_;
   Schedule& schedule_;
+  std::span<const fx::ScriptStep> script_;  // of the technique that runs
+  std::size_t technique_ = 0;
+  bool takes_source_ = false;   // by ScriptExternal; then textures are no other way to it
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
+  std::string viewer_;
   ClearStep clear_;            // values as set; what to clear only until it is done
   std::vector<double> turns_;  // of the loops around, innermost last
   std::vector<LoopTurn> loop_turns_;
@@ -63,6 +60,19 @@ class ScriptRun {
   std::set<std::pair<std::size_t, std::pair<int, int>>> depth_touched_;
   bool drew_into_frame_ = false;
 };
+
+// Each begins with the frame as its target; what was touched before stays so.
+void ScriptRun::RunTechnique(std::size_t technique) {
+  technique_ = technique;
+  script_ = effect_.techniques[technique].script;
+  takes_source_ = std::ranges::any_of(
+      script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; });
+  colors_ = {};
+  depth_stencil_.reset();
+  viewer_.clear();
+  RunRange(0, script_.size());
+  if (clear_.color || clear_.depth || clear_.stencil) AddClear();
+}
 
 std::size_t ScriptRun::LoopEnd(std::size_t begin, std::size_t end) const {
   int depth = 1;
@@ -145,6 +155,9 @@ void ScriptRun::RunAction(const fx::ScriptStep& step) {
       std::erase_if(loop_turns_, [&](const LoopTurn& turn) { return turn.parameter == *step.parameter; });
       loop_turns_.push_back({*step.parameter, turns_.empty() ? 0.0 : turns_.back()});
       return;
+    case Action::kViewer:
+      viewer_ = step.viewer;
+      return;
     case Action::kLoop:
     case Action::kLoopEnd:
       return;
@@ -157,6 +170,7 @@ Step ScriptRun::NewStep() const {
   step.technique = technique_;
   step.depth_stencil = depth_stencil_;
   step.loop_turns = loop_turns_;
+  step.viewer = viewer_;
   step.size = colors_[0] ? schedule_.texture_sizes[*colors_[0]] : frame_;
   for (const auto& color : colors_) {
     if (!color || schedule_.texture_sizes[*color] != step.size) break;
@@ -218,10 +232,11 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
   Step step = NewStep();
   step.pass = draw.pass;
   step.draws_scene = draw.action == Action::kDrawGeometry;
-  for (const std::size_t sampler : effect_.techniques[technique_].passes[draw.pass].program.samplers) {
+  step.shows_source = !step.draws_scene && !takes_source_;
+  for (const std::size_t sampler : fx::SamplersOf(effect_.techniques[technique_].passes[draw.pass])) {
     const auto texture = effect_.samplers[sampler].texture;
     const auto* role = texture ? std::get_if<fx::ScriptTargetRole>(&effect_.textures[*texture].role) : nullptr;
-    if (role != nullptr && !role->is_depth_stencil && touched_.insert(*texture).second)
+    if (role != nullptr && !role->is_depth_stencil && !role->is_offscreen && touched_.insert(*texture).second)
       schedule_.cleared_at_start.push_back(*texture);
   }
   TouchColors(step, true);
@@ -231,9 +246,9 @@ void ScriptRun::AddPass(const fx::ScriptStep& draw) {
 
 }  // namespace
 
-void AddScriptSteps(const fx::Effect& effect, std::size_t technique, glm::ivec2 frame, const ScheduleOptions& options,
-                    Schedule& schedule) {
-  ScriptRun(effect, technique, frame, options, schedule).Run();
+void AddScriptSteps(const fx::Effect& effect, const std::vector<std::size_t>& techniques, glm::ivec2 frame,
+                    const ScheduleOptions& options, Schedule& schedule) {
+  ScriptRun(effect, frame, options, schedule).Run(techniques);
 }
 
 }  // namespace burin::effect

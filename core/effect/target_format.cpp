@@ -86,4 +86,14 @@ bool HasAlpha(fx::Format format) {
   return false;
 }
 
+std::array<float, 4> ClearColor(const fx::Texture& texture) {
+  std::array<float, 4> color{0, 0, 0, HasAlpha(texture.format) ? 0.0f : 1.0f};
+  const fx::EffectAnnotation* annotation = fx::FindAnnotation(texture.annotations, "ClearColor");
+  if (annotation == nullptr) return color;
+  for (std::size_t i = 0; i < 4 && i < annotation->value.numbers.size(); ++i) {
+    if (i < 3 || HasAlpha(texture.format)) color[i] = static_cast<float>(annotation->value.numbers[i]);
+  }
+  return color;
+}
+
 }  // namespace burin::effect

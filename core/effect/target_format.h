@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "core/gl/format.h"
-#include "fx_parser/effect/format.h"
+#include "fx_parser/effect/effect.h"
 
 namespace burin::effect {
 
@@ -14,5 +16,8 @@ namespace burin::effect {
 /// False when the format has no alpha of its own: then the held alpha is cleared to 1 and never written, so that
 /// DestAlpha blends as in Direct3D 9.
 [[nodiscard]] bool HasAlpha(fx::Format format);
+
+/// What a target is cleared with: its annotation ClearColor, else transparent black; opaque where it has no alpha.
+[[nodiscard]] std::array<float, 4> ClearColor(const fx::Texture& texture);
 
 }  // namespace burin::effect

@@ -9,6 +9,8 @@
 #include <set>
 
 #include "core/effect/effect_runner.h"
+#include "core/effect/object_technique.h"
+#include "core/effect/parameter_part.h"
 #include "core/effect/text.h"
 #include "fx_parser/source/diagnostic.h"
 
@@ -36,7 +38,7 @@ Result<TechniqueChoice> ChooseNamed(const fx::Effect& effect, const std::string&
       return Fail(ErrorKind::kInput,
                   fmt::format("{}: technique '{}' cannot run here: {}", effect.path, wanted, reason));
     }
-    return TechniqueChoice{.technique = i, .rejected = {}};
+    return TechniqueChoice{.technique = i, .rejected = {}, .by_object = {}};
   }
   if (names.empty()) {
     return Fail(ErrorKind::kUsage,
@@ -67,7 +69,7 @@ bool FindUsable(const fx::Effect& effect, std::size_t first, TechniqueChoice& ch
 std::vector<const fx::Texture*> AttributesRead(const fx::Effect& effect, std::size_t technique) {
   std::set<std::size_t> indices;
   for (const fx::Pass& pass : effect.techniques[technique].passes) {
-    for (const std::size_t sampler : pass.program.samplers) {
+    for (const std::size_t sampler : fx::SamplersOf(pass)) {
       if (effect.samplers[sampler].texture) indices.insert(*effect.samplers[sampler].texture);
     }
   }
@@ -97,6 +99,12 @@ int AllFloating(const std::vector<const fx::Texture*>& attributes, std::initiali
 Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::string& wanted) {
   if (!wanted.empty()) return ChooseNamed(effect, wanted);
   TechniqueChoice choice;
+  choice.by_object = ObjectTechniques(effect);
+  for (const std::size_t technique : choice.by_object) {
+    if (effect.techniques[technique].passes.empty()) continue;
+    choice.technique = technique;
+    return choice;
+  }
   // What the file's own script asks for, then any other.
   for (const std::size_t preferred : effect.preferred_techniques) {
     if (!Reason(effect.techniques[preferred]).empty()) continue;
@@ -113,6 +121,7 @@ Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::str
 }
 
 bool NextTechnique(const fx::Effect& effect, TechniqueChoice& choice) {
+  choice.by_object.clear();
   return FindUsable(effect, choice.technique + 1, choice);
 }
 
@@ -136,7 +145,7 @@ image::Encoding FrameEncoding(const fx::Effect& effect, std::size_t technique) {
 }
 
 bool AcceptsParameter(const fx::Effect& effect, const std::string& name) {
-  const auto has_name = [&](const auto& thing) { return thing.name == name; };
+  const auto has_name = [&](const fx::Parameter& parameter) { return parameter.name == ParameterName(name); };
   return std::any_of(effect.parameters.begin(), effect.parameters.end(), has_name) ||
          std::any_of(effect.textures.begin(), effect.textures.end(), [&](const fx::Texture& texture) {
            return texture.name == name && std::holds_alternative<fx::FileRole>(texture.role);

@@ -9,59 +9,10 @@
 
 #include "core/effect/srgb_view.h"
 #include "core/effect/target_format.h"
-#include "core/effect/text.h"
 #include "core/gl/framebuffer.h"
 
 namespace burin::effect {
 namespace {
-
-using Pixel = std::array<std::uint8_t, 4>;
-constexpr Pixel kWhite = {255, 255, 255, 255};
-constexpr Pixel kFlatNormal = {128, 128, 255, 255};
-constexpr Pixel kMidGrey = {128, 128, 128, 255};
-
-// FX Composer's library names these for textures that the user will replace; none of them comes with the effects.
-constexpr std::string_view kDefaultFiles[] = {"default_color.dds", "default_reflection.dds", "default_bump_normal.dds",
-                                              "default_gloss.dds"};
-
-gl::TextureHandle OneTexel(GLenum target, const Pixel& pixel) {
-  GLuint id = 0;
-  glCreateTextures(target, 1, &id);
-  gl::TextureHandle texture(id);
-  switch (target) {
-    case GL_TEXTURE_1D:
-      glTextureStorage1D(id, 1, GL_RGBA8, 1);
-      glTextureSubImage1D(id, 0, 0, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
-      break;
-    case GL_TEXTURE_3D:
-      glTextureStorage3D(id, 1, GL_RGBA8, 1, 1, 1);
-      glTextureSubImage3D(id, 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
-      break;
-    case GL_TEXTURE_CUBE_MAP:
-      glTextureStorage2D(id, 1, GL_RGBA8, 1, 1);
-      for (GLint face = 0; face < 6; ++face) {
-        glTextureSubImage3D(id, 0, 0, 0, face, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
-      }
-      break;
-    default:
-      glTextureStorage2D(id, 1, GL_RGBA8, 1, 1);
-      glTextureSubImage2D(id, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
-      break;
-  }
-  return texture;
-}
-
-bool IsNormalMap(const fx::Texture& texture) {
-  const std::string name = LowerCase(texture.name);
-  return EqualsIgnoringCase(texture.semantic, "normal") || name.find("normal") != std::string::npos ||
-         name.find("bump") != std::string::npos;
-}
-
-bool IsDefaultFile(const std::string& file) {
-  const std::size_t folder = file.find_last_of("/\\");
-  const std::string name = LowerCase(folder == std::string::npos ? file : file.substr(folder + 1));
-  return std::find(std::begin(kDefaultFiles), std::end(kDefaultFiles), name) != std::end(kDefaultFiles);
-}
 
 // Whether any sampler of the texture looks at its smaller levels; a state that is not known yet may.
 bool NeedsMipmaps(const fx::Effect& effect, std::size_t texture) {
@@ -76,14 +27,37 @@ bool NeedsMipmaps(const fx::Effect& effect, std::size_t texture) {
   return false;
 }
 
+// Whether something better than a stand-in is at hand wherever the texture is looked up.
+bool IsGivenByHost(const fx::Effect& effect, const Schedule& schedule, std::size_t texture, TextureMeaning meaning,
+                   const RunnerOptions& options) {
+  if (meaning == TextureMeaning::kEnvironment) return static_cast<bool>(options.environment);
+  if (!IsOfMaterial(meaning)) return false;
+  for (const Step& step : schedule.steps) {
+    if (step.kind != Step::Kind::kPass) continue;
+    const auto samplers = fx::SamplersOf(effect.techniques[step.technique].passes[step.pass]);
+    const bool looks = std::any_of(samplers.begin(), samplers.end(),
+                                   [&](std::size_t sampler) { return effect.samplers[sampler].texture == texture; });
+    const bool is_given = step.draws_scene || (step.shows_source && options.has_source && meaning == TextureMeaning::kBaseColor);
+    if (looks && !is_given) return false;
+  }
+  return true;
+}
+
+std::string_view InsteadOf(TextureMeaning meaning) {
+  return meaning == TextureMeaning::kEnvironment ? "the surroundings are shown"
+                                                 : "what is drawn gives its own";
+}
+
 }  // namespace
 
 Result<TextureStore> TextureStore::Create(const fx::Effect& effect, Schedule& schedule, const Overrides& overrides,
-                                          const TextureLoader& load, std::vector<std::string>& warnings) {
+                                          const RunnerOptions& options, std::vector<std::string>& warnings) {
   TextureStore store;
   store.slots_.resize(effect.textures.size());
-  for (const fx::Texture& texture : effect.textures) store.is_normal_map_.push_back(IsNormalMap(texture));
-  store.AddStandIns();
+  for (std::size_t i = 0; i < effect.textures.size(); ++i) {
+    store.slots_[i].meaning = MeaningOf(effect.textures[i]);
+    store.slots_[i].is_file = std::holds_alternative<fx::FileRole>(effect.textures[i].role);
+  }
   for (const auto* group : {&schedule.attributes, &schedule.custom_attributes, &schedule.pass_results}) {
     for (const std::size_t index : *group) {
       if (auto added = store.AddTarget(effect, index, schedule.texture_sizes[index]); !added) {
@@ -92,7 +66,8 @@ Result<TextureStore> TextureStore::Create(const fx::Effect& effect, Schedule& sc
     }
   }
   for (const std::size_t index : schedule.files) {
-    if (auto added = store.AddFile(effect, index, overrides, load, warnings); !added) {
+    const bool is_given = IsGivenByHost(effect, schedule, index, store.slots_[index].meaning, options);
+    if (auto added = store.AddFile(effect, index, overrides, options, is_given, warnings); !added) {
       return std::unexpected(added.error());
     }
     if (const gl::Texture* texture = store.texture(index)) {
@@ -100,14 +75,6 @@ Result<TextureStore> TextureStore::Create(const fx::Effect& effect, Schedule& sc
     }
   }
   return store;
-}
-
-void TextureStore::AddStandIns() {
-  stand_ins_.emplace(fx::Dimension::k1D, OneTexel(GL_TEXTURE_1D, kWhite));
-  stand_ins_.emplace(fx::Dimension::k2D, OneTexel(GL_TEXTURE_2D, kWhite));
-  stand_ins_.emplace(fx::Dimension::k3D, OneTexel(GL_TEXTURE_3D, kWhite));
-  stand_ins_.emplace(fx::Dimension::kCube, OneTexel(GL_TEXTURE_CUBE_MAP, kMidGrey));
-  flat_normal_ = OneTexel(GL_TEXTURE_2D, kFlatNormal);
 }
 
 Result<void> TextureStore::AddTarget(const fx::Effect& effect, std::size_t index, glm::ivec2 size) {
@@ -120,33 +87,43 @@ Result<void> TextureStore::AddTarget(const fx::Effect& effect, std::size_t index
 }
 
 Result<void> TextureStore::AddFile(const fx::Effect& effect, std::size_t index, const Overrides& overrides,
-                                   const TextureLoader& load, std::vector<std::string>& warnings) {
+                                   const RunnerOptions& options, bool is_given_by_host,
+                                   std::vector<std::string>& warnings) {
   const fx::Texture& declared = effect.textures[index];
   const auto overridden = overrides.textures.find(index);
-  const std::string& file =
-      overridden != overrides.textures.end() ? overridden->second : std::get<fx::FileRole>(declared.role).file;
+  const bool is_asked_for = overridden != overrides.textures.end();
+  const std::string& file = is_asked_for ? overridden->second : std::get<fx::FileRole>(declared.role).file;
+  const std::string_view otherwise = is_given_by_host ? InsteadOf(slots_[index].meaning) : "a stand-in is used";
   const auto stand_in = [&](std::string_view why) {
-    warnings.push_back(fmt::format("{}: texture '{}' {}: a stand-in is used", effect.path, declared.name, why));
+    warnings.push_back(fmt::format("{}: texture '{}' {}: {}", effect.path, declared.name, why, otherwise));
     return Result<void>();
   };
-  if (file.empty()) return stand_in("names no file");
+  if (file.empty()) return is_given_by_host ? Result<void>() : stand_in("names no file");
+  const bool is_default = !is_asked_for && IsDefaultFile(file);
   if (declared.dimension != fx::Dimension::k2D && declared.dimension != fx::Dimension::kUnknown) {
+    if (is_default && is_given_by_host) return {};
     return stand_in(fmt::format("is not two-dimensional, and '{}' is", file));
   }
-  if (!load) return stand_in("cannot be loaded here");
-  auto image = load(file);
+  if (!options.load_texture) return stand_in("cannot be loaded here");
+  auto image = options.load_texture(file);
   if (!image) {
-    if (overridden == overrides.textures.end() && IsDefaultFile(file)) {
-      return stand_in(fmt::format("names the default '{}'", file));
-    }
     return Fail(image.error().kind,
                 fmt::format("texture '{}' of {}: {}", declared.name, effect.path, image.error().message));
   }
-  auto texture = gl::Texture::Create(gl::FormatFor(*image), image->width, image->height,
+  if (!image->has_value()) {
+    const std::string missing = fmt::format("'{}' not found; searched: {}", file, options.texture_folders);
+    if (is_asked_for)
+      return Fail(ErrorKind::kInput, fmt::format("texture '{}' of {}: {}", declared.name, effect.path, missing));
+    if (is_default && is_given_by_host) return {};
+    return is_default ? stand_in(fmt::format("names the default '{}'", file))
+                      : stand_in(fmt::format("names a file that is not there ({})", missing));
+  }
+  const image::Image& picture = **image;
+  auto texture = gl::Texture::Create(gl::FormatFor(picture), picture.width, picture.height,
                                      NeedsMipmaps(effect, index) ? 0 : 1,
                                      fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
   if (!texture) return std::unexpected(texture.error());
-  texture->Upload(*image);
+  texture->Upload(picture);
   texture->GenerateMipmaps();
   slots_[index].texture = std::move(*texture);
   return {};
@@ -166,16 +143,20 @@ bool TextureStore::AddSrgbView(std::size_t index) {
 std::uint32_t TextureStore::srgb_view(std::size_t index) const { return slots_[index].srgb.id(); }
 
 std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) const {
-  if (sampler.texture && slots_[*sampler.texture].procedural) return slots_[*sampler.texture].procedural.id();
   const bool is_2d = sampler.dimension == fx::Dimension::k2D || sampler.dimension == fx::Dimension::kUnknown;
-  if (sampler.texture && is_2d) {
-    const Slot& slot = slots_[*sampler.texture];
-    if (srgb && slot.srgb) return slot.srgb.id();
-    if (slot.texture) return slot.texture.id();
-    if (is_normal_map_[*sampler.texture]) return flat_normal_.id();
-  }
-  const auto found = stand_ins_.find(is_2d ? fx::Dimension::k2D : sampler.dimension);
-  return found->second.id();
+  if (!sampler.texture) return stand_ins_.Get(MeaningOf(sampler), sampler.dimension);
+  const Slot& slot = slots_[*sampler.texture];
+  if (slot.procedural) return slot.procedural.id();
+  if (is_2d && srgb && slot.srgb) return slot.srgb.id();
+  if (is_2d && slot.texture) return slot.texture.id();
+  return stand_ins_.Get(slot.meaning, sampler.dimension);
+}
+
+std::optional<TextureMeaning> TextureStore::HostMeaning(const fx::Sampler& sampler) const {
+  if (!sampler.texture) return MeaningOf(sampler);
+  const Slot& slot = slots_[*sampler.texture];
+  if (!slot.is_file || slot.texture) return std::nullopt;
+  return slot.meaning;
 }
 
 Result<const gl::Texture*> TextureStore::DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner) {

@@ -79,6 +79,9 @@ struct FrameInput {
   TranslucencyStage* translucency = nullptr;  ///< null: nothing is translucent
 };
 
+/// A material's textures, in glTF's words and the order of MaterialTexture (gpu_blocks.h).
+enum class MaterialTextureKind { kBaseColor, kMetallicRoughness, kNormal, kOcclusion, kEmissive };
+
 /// Draws one item's geometry with the caller's program bound; attributes at gl::VertexLocation.
 struct GeometryDraw {
   glm::mat4 world_from_object{1.0f};
@@ -100,6 +103,10 @@ class SceneRenderer {
   [[nodiscard]] virtual Result<void> Render(const FrameInput& frame, std::span<const Request> requests) = 0;
   /// The frame's draws for a custom attribute's own shaders; valid until the next Render or Draws.
   [[nodiscard]] virtual Result<std::vector<GeometryDraw>> Draws(const FrameInput& frame) = 0;
+  /// A material's texture with mipmaps, uploaded when it is first asked for; null: it has none. `is_decoded`: where it
+  /// is display-encoded, look-ups give scene-linear light.
+  [[nodiscard]] virtual Result<const gl::Texture*> TextureOf(int material, MaterialTextureKind kind,
+                                                             bool is_decoded) = 0;
 };
 
 /// Fills attributes from a picture (an image, a video's frame, an earlier effect's result): `color` and `video` are the

@@ -122,7 +122,7 @@ Result<void> MaterialStore::Bind(int material, std::uint32_t features) {
   for (std::size_t unit = 0; unit < kMaterialTextures; ++unit) {
     if ((features & kRoles[unit].feature) == 0) continue;
     const scene::TextureUse& use = source.*kRoles[unit].use;
-    const Result<const gl::Texture*> texture = TextureOf(use.image, kRoles[unit].is_color);
+    const Result<const gl::Texture*> texture = TextureOfImage(use.image, kRoles[unit].is_color);
     if (!texture) return std::unexpected(texture.error());
     glBindTextureUnit(static_cast<GLuint>(unit), (*texture)->id());
     glBindSampler(static_cast<GLuint>(unit), SamplerOf(use.sampler));
@@ -130,7 +130,13 @@ Result<void> MaterialStore::Bind(int material, std::uint32_t features) {
   return {};
 }
 
-Result<const gl::Texture*> MaterialStore::TextureOf(int image, bool is_color) {
+Result<const gl::Texture*> MaterialStore::TextureOf(int material, MaterialTextureKind kind, bool is_decoded) {
+  const scene::TextureUse& use = Get(material).*kRoles[static_cast<std::size_t>(kind)].use;
+  if (!use) return nullptr;
+  return TextureOfImage(use.image, is_decoded);
+}
+
+Result<const gl::Texture*> MaterialStore::TextureOfImage(int image, bool is_color) {
   const std::pair key(image, is_color);
   auto found = textures_.find(key);
   if (found == textures_.end()) {

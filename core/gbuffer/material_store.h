@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/gbuffer/attribute_renderer.h"
 #include "core/gbuffer/gpu_blocks.h"
 #include "core/gl/handle.h"
 #include "core/gl/texture.h"
@@ -25,9 +26,11 @@ class MaterialStore {
   [[nodiscard]] std::uint32_t Features(int material) const;
   /// Binds its numbers and those of its textures that `features` name.
   [[nodiscard]] Result<void> Bind(int material, std::uint32_t features);
+  /// As SceneRenderer::TextureOf().
+  [[nodiscard]] Result<const gl::Texture*> TextureOf(int material, MaterialTextureKind kind, bool is_decoded);
 
  private:
-  [[nodiscard]] Result<const gl::Texture*> TextureOf(int image, bool is_color);
+  [[nodiscard]] Result<const gl::Texture*> TextureOfImage(int image, bool is_color);
   [[nodiscard]] std::uint32_t SamplerOf(const scene::TextureSampler& sampler);
 
   const scene::Scene* scene_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
 
@@ -161,7 +162,23 @@ void NoteWhatIsThere(const scene::ItemGeometry& geometry, GpuPrimitive& primitiv
   primitive.has_patches = !geometry.patch_ids.empty();
 }
 
-Result<GpuPrimitive> Upload(const scene::ItemGeometry& geometry, bool is_deformed) {
+// Effects look textures up by the first coordinates alone: those are the base colour's, as its material places it.
+Result<void> PlaceTexture(const scene::TextureUse& use, const scene::ItemGeometry& geometry, GLenum usage,
+                          GpuPrimitive& primitive) {
+  const auto& from = geometry.texcoords[static_cast<std::size_t>(use.texcoord)];
+  if (!use || from.empty() || (use.texcoord == 0 && use.uv_transform == glm::mat3(1.0f))) return {};
+  std::vector<glm::vec2> placed;
+  placed.reserve(from.size());
+  for (const glm::vec2& uv : from) placed.emplace_back(use.uv_transform * glm::vec3(uv, 1.0f));
+  if (!primitive.effect_texcoords) primitive.effect_texcoords = gl::CreateBuffer("texture coordinates for effects");
+  const GLuint buffer = primitive.effect_texcoords.id();
+  if (auto done = Allocate(buffer, placed.size() * sizeof(glm::vec2), usage, placed.data()); !done) return done;
+  Attach(primitive.effect_vertex_array.id(), buffer, 0, gl::kLocationTexCoord0, 2);
+  return {};
+}
+
+Result<GpuPrimitive> Upload(const scene::ItemGeometry& geometry, const scene::TextureUse& base_color,
+                            bool is_deformed) {
   GpuPrimitive primitive = NewPrimitive(geometry.mode);
   NoteWhatIsThere(geometry, primitive);
   const auto indices = std::as_bytes(geometry.indices);
@@ -182,11 +199,14 @@ Result<GpuPrimitive> Upload(const scene::ItemGeometry& geometry, bool is_deforme
   } else {
     primitive.center = CenterOf(geometry.positions);
   }
+  if (auto done = PlaceTexture(base_color, geometry, GL_STATIC_DRAW, primitive); !done)
+    return std::unexpected(done.error());
   return primitive;
 }
 
 // All of this frame's triangles.
-Result<void> Replace(const scene::ItemGeometry& geometry, GpuPrimitive& primitive) {
+Result<void> Replace(const scene::ItemGeometry& geometry, const scene::TextureUse& base_color,
+                     GpuPrimitive& primitive) {
   NoteWhatIsThere(geometry, primitive);
   const auto indices = std::as_bytes(geometry.indices);
   if (auto done = Allocate(primitive.indices.id(), indices.size(), GL_STREAM_DRAW, indices.data()); !done) return done;
@@ -195,7 +215,12 @@ Result<void> Replace(const scene::ItemGeometry& geometry, GpuPrimitive& primitiv
   Fill(primitive.vertices.id(), streams);
   AttachAll(primitive, primitive.vertices.id(), streams);
   primitive.center = CenterOf(geometry.positions);
-  return {};
+  return PlaceTexture(base_color, geometry, GL_STREAM_DRAW, primitive);
+}
+
+const scene::TextureUse& BaseColorOf(const scene::Scene& scene, const scene::DrawItem& item) {
+  static const scene::TextureUse kNone;
+  return item.material_id == 0 ? kNone : scene.materials.at(item.material_id - 1).base_color_texture;
 }
 
 }  // namespace
@@ -206,7 +231,7 @@ Result<const GpuPrimitive*> MeshStore::Prepare(const scene::DrawItem& item, bool
   const std::tuple key(item.is_deformed, item.is_deformed ? item.node : item.mesh, item.primitive);
   auto found = primitives_.find(key);
   if (found == primitives_.end()) {
-    Result<GpuPrimitive> uploaded = Upload(geometry, item.is_deformed);
+    Result<GpuPrimitive> uploaded = Upload(geometry, BaseColorOf(*scene_, item), item.is_deformed);
     if (!uploaded) return std::unexpected(uploaded.error());
     found = primitives_.emplace(key, std::move(*uploaded)).first;
   }
@@ -232,7 +257,7 @@ Result<const GpuPrimitive*> MeshStore::PrepareSurface(const scene::DrawItem& ite
   Surface& surface = found->second;
   if (surface.shown != item.surface) {
     surface.shown = nullptr;
-    if (auto done = Replace(scene::GeometryOf(*scene_, item), surface.primitive); !done) {
+    if (auto done = Replace(scene::GeometryOf(*scene_, item), BaseColorOf(*scene_, item), surface.primitive); !done) {
       return std::unexpected(done.error());
     }
     surface.shown = item.surface;

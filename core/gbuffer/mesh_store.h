@@ -21,7 +21,8 @@ namespace burin::gbuffer {
 struct GpuPrimitive {
   gl::BufferHandle vertices;  ///< what never changes
   gl::BufferHandle indices;
-  gl::BufferHandle deformed;  ///< positions, previous positions, normals, tangents of this frame
+  gl::BufferHandle effect_texcoords;  ///< TEXCOORD0 of effects where it is not the mesh's own
+  gl::BufferHandle deformed;          ///< positions, previous positions, normals, tangents of this frame
   gl::VertexArrayHandle vertex_array;
   gl::VertexArrayHandle effect_vertex_array;  ///< for an effect's own shaders
   std::uint32_t mode = 0;                     ///< GLenum

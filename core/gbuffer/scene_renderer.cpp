@@ -70,6 +70,9 @@ class Renderer final : public SceneRenderer {
 
   Result<void> Render(const FrameInput& frame, std::span<const Request> requests) override;
   Result<std::vector<GeometryDraw>> Draws(const FrameInput& frame) override;
+  Result<const gl::Texture*> TextureOf(int material, MaterialTextureKind kind, bool is_decoded) override {
+    return materials_.TextureOf(material, kind, is_decoded);
+  }
 
  private:
   struct Buffers {

@@ -43,6 +43,10 @@ Result<void> EffectChain::Add(const ChainOptions& options, std::size_t index) {
   runner_options.technique = options.techniques[index];
   runner_options.parameters = options.parameters[index];
   runner_options.load_texture = TextureLoaderFor(effect->path, options.include_folders);
+  runner_options.texture_folders = TextureFolders(effect->path, options.include_folders);
+  runner_options.environment = options.environment;
+  runner_options.open_effect = EffectOpenerFor(effect->path, options.include_folders);
+  runner_options.has_source = options.has_source;
   runner_options.has_scene = scene_ != nullptr;
   runner_options.width = options.width;
   runner_options.height = options.height;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,9 +24,11 @@ struct Picture {
 
 struct ChainOptions {
   std::vector<std::shared_ptr<const fx::Effect>> effects;
-  std::vector<std::string> techniques;       ///< one an effect; empty: the first valid
-  std::vector<Assignments> parameters;       ///< one an effect
-  std::vector<std::string> include_folders;  ///< textures are looked for there too
+  std::vector<std::string> techniques;         ///< one an effect; empty: the first valid
+  std::vector<Assignments> parameters;         ///< one an effect
+  std::vector<std::string> include_folders;    ///< textures are looked for there too
+  std::function<std::uint32_t()> environment;  ///< RunnerOptions::environment
+  bool has_source = false;
   int width = 0;
   int height = 0;
   gl::Format display_frame_format;

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "core/effect/effect_runner.h"
+#include "core/effect/parameter_range.h"
+#include "core/effect/texture_meaning.h"
 
 namespace burin::render {
 namespace {
@@ -19,11 +21,30 @@ std::string EncodingText(image::Encoding encoding) {
   return encoding == image::Encoding::kSceneLinear ? "scene-linear" : "display-encoded";
 }
 
+/// "   (0 to 2 in steps of 0.1: Glow)", as far as the annotations for users say it.
+std::string UserText(const fx::Parameter& parameter) {
+  const auto [lowest, highest] = effect::LimitsOf(parameter, 0);
+  std::string text;
+  if (lowest && highest)
+    text = fmt::format("{:g} to {:g}", *lowest, *highest);
+  else if (lowest)
+    text = fmt::format("{:g} or more", *lowest);
+  else if (highest)
+    text = fmt::format("{:g} or less", *highest);
+  const fx::EffectAnnotation* step = fx::FindAnnotation(parameter.annotations, "UIStep");
+  if (!text.empty() && step != nullptr && !step->value.numbers.empty())
+    text += fmt::format(" in steps of {:g}", step->value.numbers[0]);
+  const fx::EffectAnnotation* name = fx::FindAnnotation(parameter.annotations, "UIName");
+  if (name != nullptr && !name->value.strings.empty() && !name->value.strings[0].empty())
+    text += fmt::format("{}{}", text.empty() ? "" : ": ", name->value.strings[0]);
+  return text.empty() ? text : "   (" + text + ")";
+}
+
 std::string ParameterLine(const fx::Parameter& parameter) {
   std::string line = fmt::format("  {} {}", fx::ToString(parameter.type), parameter.name);
   if (!parameter.semantic.empty()) line += fmt::format(" : {}", parameter.semantic);
   if (parameter.has_default) line += fmt::format(" = {}", ValueText(parameter.default_value));
-  return line + "\n";
+  return line + UserText(parameter) + "\n";
 }
 
 std::string PassLine(const fx::Effect& effect, const fx::Pass& pass, std::size_t index) {
@@ -57,11 +78,35 @@ std::string TechniqueText(const fx::Effect& effect, std::size_t index, const eff
   return text;
 }
 
+std::string_view MeaningText(effect::TextureMeaning meaning) {
+  switch (meaning) {
+    case effect::TextureMeaning::kBaseColor:
+      return "the base colour of what is drawn";
+    case effect::TextureMeaning::kNormal:
+      return "the normal map of what is drawn";
+    case effect::TextureMeaning::kSpecular:
+      return "white, for a gloss map";
+    case effect::TextureMeaning::kEmissive:
+      return "the emissive map of what is drawn";
+    case effect::TextureMeaning::kOcclusion:
+      return "the occlusion map of what is drawn";
+    case effect::TextureMeaning::kEnvironment:
+      return "the surroundings";
+    case effect::TextureMeaning::kNoise:
+      return "noise";
+    case effect::TextureMeaning::kRamp:
+      return "a ramp";
+    case effect::TextureMeaning::kWhite:
+      break;
+  }
+  return "white";
+}
+
 }  // namespace
 
 PassFlow FlowOf(const fx::Effect& effect, const fx::Pass& pass) {
   PassFlow flow;
-  for (const std::size_t sampler : pass.program.samplers) {
+  for (const std::size_t sampler : fx::SamplersOf(pass)) {
     if (effect.samplers[sampler].texture) AddOnce(flow.reads, *effect.samplers[sampler].texture);
   }
   for (const std::size_t target : pass.targets) AddOnce(flow.writes, target);
@@ -81,7 +126,8 @@ std::string RoleText(const fx::Texture& texture) {
   if (const auto* target = std::get_if<fx::ScriptTargetRole>(&texture.role))
     return target->is_depth_stencil ? "depth-stencil target of scripts" : "target of scripts";
   const std::string& file = std::get<fx::FileRole>(texture.role).file;
-  return file.empty() ? "file, none named" : fmt::format("file {}", file);
+  return file.empty() ? fmt::format("no file: {}", MeaningText(effect::MeaningOf(texture)))
+                      : fmt::format("file {}", file);
 }
 
 std::string SizeText(const fx::Texture& texture) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 
 #include "core/image/convert.h"
@@ -78,6 +80,9 @@ Result<void> FrameRenderer::Build(RendererInput input) {
   options.techniques = std::move(input.techniques);
   options.parameters = std::move(input.parameters);
   options.include_folders = std::move(input.include_folders);
+  options.has_source = input.has_source;
+  environment_ = std::make_unique<gbuffer::EnvironmentCube>(input.environment);
+  options.environment = [cube = environment_.get()] { return cube->id(); };
   options.width = plan_.width;
   options.height = plan_.height;
   const SampleType type = plan_.output.type;
@@ -185,7 +190,19 @@ Result<void> FrameRenderer::FillLayers(const SourceFrame& frame, const Picture& 
 
 effect::FrameContext FrameRenderer::Context(const SourceFrame& frame) const {
   effect::FrameContext context;
-  if (frame.scene) context = frame.scene->context;
+  if (frame.scene) {
+    context = frame.scene->context;
+  } else {
+    // A picture lies at z = 0, fills the view of an eye in front of it without perspective, and is lit from above left.
+    context.has_scene = false;
+    context.eye_world = {0.0f, 0.0f, 1.0f};
+    context.view_from_world = glm::translate(glm::mat4(1.0f), -context.eye_world);
+    context.clip_from_view = glm::orthoRH_ZO(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 2.0f);
+    context.previous_view_from_world = context.view_from_world;
+    context.previous_clip_from_view = context.clip_from_view;
+    context.light_direction_world = glm::normalize(glm::vec3(0.45f, -0.75f, -0.6f));
+    context.scene_radius = 1.0f;
+  }
   context.frame = frame.number;
   context.time_s = static_cast<double>(frame.number - 1) / plan_.rate.value();
   context.elapsed_s = 1.0 / plan_.rate.value();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/gbuffer/environment_cube.h"
 #include "core/gl/readback.h"
 #include "core/render/effect_chain.h"
 #include "core/render/plan.h"
@@ -17,6 +18,7 @@ namespace burin::render {
 /// What a FrameRenderer is made from besides the plan.
 struct RendererInput {
   const scene::Scene* scene = nullptr;             ///< null: pictures
+  bool has_source = true;                          ///< a scene or pictures
   bool is_opaque = false;                          ///< pictures whose alpha is 1 everywhere
   const image::Image* environment = nullptr;       ///< null: the built-in one
   std::optional<std::array<float, 4>> background;  ///< scene-linear, unassociated alpha
@@ -75,6 +77,7 @@ class FrameRenderer {
   std::shared_ptr<const image::ColorTransform> transform_;
   std::unique_ptr<PictureStage> pictures_;
   std::unique_ptr<SceneStage> scene_;
+  std::unique_ptr<gbuffer::EnvironmentCube> environment_;  ///< for effects
   std::unique_ptr<EffectChain> chain_;
   std::vector<Layer> layers_;
   bool is_opaque_ = false;

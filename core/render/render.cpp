@@ -67,6 +67,15 @@ Result<std::shared_ptr<const image::ColorTransform>> MakeTransform(const image::
   return (*module)->MakeColorTransform(options);
 }
 
+bool ReadsTangents(const std::shared_ptr<const fx::Effect>& effect) {
+  for (const fx::Technique& technique : effect->techniques) {
+    for (const fx::Pass& pass : technique.passes) {
+      if (std::ranges::find(pass.program.vertex_inputs, "TANGENT0") != pass.program.vertex_inputs.end()) return true;
+    }
+  }
+  return false;
+}
+
 /// Scene-linear RGB floats, as the renderer takes it.
 Result<image::Image> ReadEnvironment(const std::string& path) {
   auto module = image::LoadImageModule();
@@ -79,12 +88,12 @@ Result<image::Image> ReadEnvironment(const std::string& path) {
   return image::ToChannels(rgba, 3);
 }
 
-Result<Prepared> Prepare(const Job& job, Output output) {
+Result<Prepared> Prepare(const Job& job, Output output, bool wants_tangents) {
   Prepared prepared;
   auto transform = MakeTransform(job.color);
   if (!transform) return std::unexpected(transform.error());
   prepared.transform = *std::move(transform);
-  auto source = OpenSource(job);
+  auto source = OpenSource(job, wants_tangents);
   if (!source) return std::unexpected(source.error());
   prepared.source = *std::move(source);
   auto plan = MakePlan(job, std::move(output), prepared.source->info());
@@ -142,6 +151,7 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   const SourceInfo& source = prepared.source->info();
   if (auto good = CheckLimits(plan, job, source, device); !good) return good;
   input.scene = prepared.source->scene();
+  input.has_source = source.kind != SourceKind::kNone;
   input.is_opaque = !source.has_alpha;
   input.environment = prepared.environment ? &*prepared.environment : nullptr;
   input.background = Background(job, plan.output);
@@ -192,7 +202,8 @@ Result<void> RunJob(const Job& job, Progress& progress, const std::atomic<bool>&
   input.techniques = *std::move(techniques);
   input.parameters = *std::move(parameters);
 
-  auto preparing = std::async(std::launch::async, Prepare, std::cref(job), *std::move(output));
+  auto preparing = std::async(std::launch::async, Prepare, std::cref(job), *std::move(output),
+                              std::ranges::any_of(*effects, ReadsTangents));
   auto context = gl::Context::Create({.device = job.device, .debug = false});
   auto prepared = preparing.get();
   if (!prepared) return std::unexpected(prepared.error());

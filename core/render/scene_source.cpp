@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/gbuffer/key_light.h"
 #include "core/render/source.h"
+#include "core/scene/add_tangents.h"
 #include "core/scene/item_tessellator.h"
 #include "core/scene/morph_to_sphere.h"
 #include "core/scene/read_scene.h"
@@ -184,6 +186,30 @@ class SceneSource final : public Source {
     context.light_direction_world = light.direction;
     context.light_color = glm::vec4(light.color, 1.0f);
     if (light.type != scene::LightType::kDirectional) context.light_position_world = light.position;
+    if (!camera_.bounds.empty()) {
+      context.scene_center_world = 0.5f * (camera_.bounds.min + camera_.bounds.max);
+      context.scene_radius = 0.5f * glm::length(camera_.bounds.max - camera_.bounds.min);
+    }
+    const std::vector<int> nodes = gbuffer::LightNodes(scene_);
+    for (const int node : nodes) context.lights.push_back(LightAt(frame.pose, node, nodes.front()));
+  }
+
+  [[nodiscard]] effect::LightContext LightAt(const scene::Pose& pose, int node, int key_node) const {
+    const auto index = static_cast<std::size_t>(node);
+    const scene::Light& light = scene_.lights[static_cast<std::size_t>(scene_.nodes[index].light)];
+    const glm::mat4& world = pose.world_from_node.at(index);
+    const glm::vec3 axis = -glm::vec3(world[2]);
+    effect::LightContext context;
+    if (light.type != scene::LightType::kDirectional) context.position = glm::vec3(world[3]);
+    if (glm::dot(axis, axis) > 0.0f) context.direction = glm::normalize(axis);
+    // Effects know no intensities: the key light's is 1, and no other is brighter.
+    const scene::Light& key =
+        scene_.lights[static_cast<std::size_t>(scene_.nodes[static_cast<std::size_t>(key_node)].light)];
+    const bool compares = key.type == light.type && key.intensity > 0.0f;
+    const float share = node == key_node ? 1.0f : compares ? std::min(light.intensity / key.intensity, 1.0f) : 0.5f;
+    context.color = glm::vec4(light.color * share, 1.0f);
+    context.range = light.range.value_or(0.0f);
+    return context;
   }
 
   scene::Scene scene_;
@@ -204,7 +230,7 @@ class SceneSource final : public Source {
 
 }  // namespace
 
-Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job) {
+Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job, bool wants_tangents) {
   scene::ReadOptions options;
   options.subdivides = job.tessellation.mode != scene::TessellationMode::kOff;
   options.decode_image = [](std::span<const std::byte> bytes, const std::string& name) -> Result<image::Image> {
@@ -215,6 +241,7 @@ Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job) {
   auto scene = scene::ReadScene(job.source, options);
   if (!scene) return std::unexpected(scene.error());
   scene::TurnUpwards(job.up, *scene);
+  if (wants_tangents) scene::AddTangents(*scene);
   auto animations = scene::SelectAnimations(*scene, job.animation);
   if (!animations) return std::unexpected(animations.error());
   auto camera = scene::SelectCamera(*scene, job.camera);

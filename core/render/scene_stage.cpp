@@ -10,18 +10,23 @@
 #include <vector>
 
 #include "core/gbuffer/storage.h"
+#include "core/render/effect_material.h"
 
 namespace burin::render {
 
-SceneStage::SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options,
-                       PictureStage& pictures)
-    : renderer_(std::move(renderer)), background_(options.background), samples_(options.samples), pictures_(pictures) {}
+SceneStage::SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer,
+                       const SceneOptions& options, PictureStage& pictures)
+    : scene_(&scene),
+      renderer_(std::move(renderer)),
+      background_(options.background),
+      samples_(options.samples),
+      pictures_(pictures) {}
 
 Result<std::unique_ptr<SceneStage>> SceneStage::Create(const scene::Scene& scene, const SceneOptions& options,
                                                        PictureStage& pictures) {
   auto renderer = gbuffer::SceneRenderer::Create(scene, options.environment);
   if (!renderer) return std::unexpected(renderer.error());
-  std::unique_ptr<SceneStage> stage(new SceneStage(*std::move(renderer), options, pictures));
+  std::unique_ptr<SceneStage> stage(new SceneStage(scene, *std::move(renderer), options, pictures));
   stage->edges_ = overdraw::EdgeRenderer::Create(scene, options.edges);
   auto translucency = translucency::TranslucencyRenderer::Create(scene, options.environment, options.translucency);
   if (!translucency) return std::unexpected(translucency.error());
@@ -115,11 +120,18 @@ effect::SceneDraws SceneStage::Draws(const SceneFrame& frame) {
     if (!geometry) return std::unexpected(geometry.error());
     std::vector<effect::SceneDraw> draws;
     for (const gbuffer::GeometryDraw& item : *geometry) {
-      draws.push_back({item.world_from_object, [item] {
-                         glBindVertexArray(item.vertex_array);
-                         glDrawElements(item.mode, item.index_count, GL_UNSIGNED_INT, nullptr);
-                         glBindVertexArray(0);
-                       }});
+      draws.push_back({.world_from_object = item.world_from_object,
+                       .draw =
+                           [item] {
+                             glBindVertexArray(item.vertex_array);
+                             glDrawElements(item.mode, item.index_count, GL_UNSIGNED_INT, nullptr);
+                             glBindVertexArray(0);
+                           },
+                       .material = MaterialFor(*scene_, item.material),
+                       .texture =
+                           [this, material = item.material](effect::TextureMeaning meaning, bool is_decoded) {
+                             return MaterialTextureFor(*renderer_, material, meaning, is_decoded);
+                           }});
     }
     return draws;
   };

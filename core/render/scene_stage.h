@@ -41,12 +41,14 @@ class SceneStage {
   [[nodiscard]] effect::SceneDraws Draws(const SceneFrame& frame);
 
  private:
-  SceneStage(std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options, PictureStage& pictures);
+  SceneStage(const scene::Scene& scene, std::unique_ptr<gbuffer::SceneRenderer> renderer, const SceneOptions& options,
+             PictureStage& pictures);
   [[nodiscard]] gbuffer::FrameInput Input(const SceneFrame& frame) const;
   [[nodiscard]] Result<void> FillThroughTransform(const SceneFrame& frame, const gbuffer::Request& request);
   /// Requests of one size.
   [[nodiscard]] Result<void> FillSupersampled(const SceneFrame& frame, std::span<const gbuffer::Request> requests);
 
+  const scene::Scene* scene_;
   std::unique_ptr<gbuffer::SceneRenderer> renderer_;
   std::unique_ptr<overdraw::EdgeRenderer> edges_;
   std::unique_ptr<translucency::TranslucencyRenderer> translucency_;  ///< null: nothing is translucent

@@ -41,7 +41,7 @@ SourceKind ClassifySource(const std::string& source) {
   return pattern && !pattern->has_token() ? SourceKind::kImage : SourceKind::kSequence;
 }
 
-Result<std::unique_ptr<Source>> OpenSource(const Job& job) {
+Result<std::unique_ptr<Source>> OpenSource(const Job& job, bool wants_tangents) {
   const SourceKind kind = ClassifySource(job.source);
   if (kind != SourceKind::kNone && kind != SourceKind::kY4mStream && kind != SourceKind::kSequence) {
     std::error_code status;
@@ -56,7 +56,7 @@ Result<std::unique_ptr<Source>> OpenSource(const Job& job) {
     case SourceKind::kNone:
       return std::make_unique<EmptySource>();
     case SourceKind::kScene:
-      return OpenSceneSource(job);
+      return OpenSceneSource(job, wants_tangents);
     case SourceKind::kImage:
     case SourceKind::kSequence:
       return OpenPictureSource(job, kind);

@@ -75,11 +75,12 @@ inline constexpr std::pair<int, int> kDefaultSize{1280, 720};
 /// Rate of what has none of its own, without --fps.
 inline constexpr video::FrameRate kDefaultRate{24, 1};
 
-/// Opens the job's source. Errors: kInput, naming the file; kUsage for a camera or animation that is not there.
-[[nodiscard]] Result<std::unique_ptr<Source>> OpenSource(const Job& job);
+/// Opens the job's source. `wants_tangents`: of a scene, see scene::AddTangents. Errors: kInput, naming the file;
+/// kUsage for a camera or animation that is not there.
+[[nodiscard]] Result<std::unique_ptr<Source>> OpenSource(const Job& job, bool wants_tangents = false);
 
 // One file each.
-[[nodiscard]] Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job);
+[[nodiscard]] Result<std::unique_ptr<Source>> OpenSceneSource(const Job& job, bool wants_tangents);
 [[nodiscard]] Result<std::unique_ptr<Source>> OpenPictureSource(const Job& job, SourceKind kind);
 [[nodiscard]] Result<std::unique_ptr<Source>> OpenVideoSource(const Job& job, SourceKind kind);
 

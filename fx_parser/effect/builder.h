@@ -5,10 +5,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "fx_parser/effect/effect.h"
+#include "fx_parser/effect/fixed_builder.h"
+#include "fx_parser/glsl/fixed_pipeline.h"
 #include "fx_parser/glsl/program.h"
 #include "fx_parser/semantics/checker.h"
 
@@ -28,13 +31,14 @@ class EffectBuilder {
     EntryPoint entry;
     std::string unsupported;  ///< why this host cannot run it
     bool failed = false;      ///< reported
+    /// Of an array whose element a parameter chooses; this shader is then that of the initial values.
+    std::vector<Shader> options;
+    const ast::Expression* choice = nullptr;
   };
   struct PassShaders {
     std::optional<Shader> vertex;
     std::optional<Shader> pixel;
-    bool fixed_vertex = false;
-    bool fixed_pixel = false;
-    bool texture_stages = false;   ///< fixed_pixel, and they do more than hand the diffuse colour on
+    FixedPassStates fixed;
     // CgFX says in three states what CullMode says in one.
     std::optional<bool> cull_enable;
     bool cull_front = false;
@@ -74,8 +78,25 @@ class EffectBuilder {
                       std::vector<std::string>& unsupported);
   /// CgFX's states that have no counterpart of one value in Direct3D; false when this is none of them.
   bool BuildCgState(ast::StateAssignment& assignment, Pass& pass, PassShaders& shaders);
+  // the fixed pipeline
+  bool BuildFixedState(ast::StateAssignment& assignment, FixedPassStates& fixed);
+  bool BuildStageState(ast::StateAssignment& assignment, TextureStageStates& stage);
+  bool BuildTextureOfStage(ast::StateAssignment& assignment, TextureStageStates& stage);
+  void AddFixedValue(ast::StateAssignment& assignment, FixedName name, int index, FixedPassStates& fixed);
+  std::optional<int> FixedNumber(ast::StateAssignment& assignment, std::span<const struct Enumerant> values);
+  std::optional<std::size_t> SamplerOfStage(const TextureStageStates& stage, const std::string& name,
+                                            const Range& range);
+  FixedPipeline MakeFixedPipeline(const FixedPassStates& fixed, const Pass& pass, bool own_texture,
+                                  std::vector<std::size_t>& samplers);
+  static SamplerState LinearFilter(SamplerStateName name, const Range& range);
+  void RebindRegisters(const FixedPassStates& fixed, const std::vector<SamplerBinding>& bindings,
+                       ShaderProgram& program);
   void SetState(Pass& pass, RenderState state, ast::Expression& value, std::span<const struct Enumerant> values = {});
   void FinishCgCulling(Pass& pass, const PassShaders& shaders);
+  [[nodiscard]] std::optional<ShaderProgram> WriteShaders(Pass& pass, const PassShaders& shaders,
+                                                          const Shader* vertex, const Shader* pixel);
+  void WriteChoices(Pass& pass, const PassShaders& shaders);
+  void NoteSamplers(const ProgramText& text, const Pass& pass, ShaderProgram& program);
   void WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported);
   void FindTargets(Technique& technique, Pass& pass);
   // scripts
@@ -97,6 +118,7 @@ class EffectBuilder {
   Effect& effect_;
   bool write_programs_ = true;
   std::set<const ast::Variable*> written_;
+  std::set<const ast::Variable*> negated_;
   std::map<const ast::Variable*, std::size_t> parameters_;
   std::map<const ast::Variable*, std::size_t> textures_;
   std::map<SamplerBinding, std::size_t> samplers_;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "fx_parser/effect/fixed_function.h"
 #include "fx_parser/effect/format.h"
 #include "fx_parser/effect/state.h"
 #include "fx_parser/effect/value.h"
@@ -29,6 +30,7 @@ struct Parameter {
   std::vector<EffectAnnotation> annotations;
   Value default_value;      ///< evaluated; zeros when the effect gives none (then has_default is false)
   bool has_default = false;
+  bool is_negated = false;  ///< some function takes its negative: of a light's direction that is as the light shines
   Range range;
 };
 
@@ -64,6 +66,7 @@ struct FileRole {
 /// A texture of the semantic RENDERCOLORTARGET or RENDERDEPTHSTENCILTARGET: a target of scripts.
 struct ScriptTargetRole {
   bool is_depth_stencil = false;
+  bool is_offscreen = false;  ///< OFFSCREENRENDERTARGET: the host draws into it before the script runs
   double width_ratio = 1.0;   ///< against the frame
   double height_ratio = 1.0;
   int width = 0;              ///< in pixels; 0: by the ratio
@@ -96,11 +99,25 @@ struct Sampler {
   Range range;
 };
 
+/// Which element of an array of shaders a pass takes.
+struct ShaderChoice {
+  const ast::Expression* index = nullptr;   ///< over parameters, evaluated before each draw; null: there is no choice
+  std::size_t count = 1;
+};
+
 struct Pass {
   std::string name;
   std::vector<EffectAnnotation> annotations;
   std::vector<PassState> states;
   ShaderProgram program;
+  /// Where shaders are chosen as a frame is drawn: every vertex shader with every pixel shader, the pixel shaders
+  /// of the first vertex shader first; an empty text stands for `program`, which is that of the initial values. Else
+  /// empty.
+  std::vector<ShaderProgram> choices;
+  ShaderChoice vertex_choice;
+  ShaderChoice pixel_choice;
+  bool restores_states = false;        ///< no shader and nothing to draw with: the end of a technique of some engines
+  std::optional<FixedFunction> fixed;  ///< where it stands in for a shader
   /// Indices in Effect::textures of this pass's targets, by target number; empty: it draws into the frame.
   std::vector<std::size_t> targets;
   /// Without a script: the vertex shader takes vertices through the projection, so that it means a scene's geometry.
@@ -115,6 +132,7 @@ struct ScriptStep {
     kSetClearColor, kSetClearDepth, kSetClearStencil,   ///< `parameter`
     kClearColor, kClearDepth, kClearStencil,
     kDrawGeometry, kDrawBuffer,                    ///< `pass`: over the scene's geometry, over the whole target
+    kViewer,                                       ///< `viewer`: RenderPort
     kDrawSource,                                   ///< ScriptExternal: the scene or picture as others draw it
     kLoop, kLoopIndex, kLoopEnd                    ///< `parameter`: how often; what gets the turn's number
   };
@@ -123,6 +141,7 @@ struct ScriptStep {
   std::size_t pass = 0;                     ///< in Technique::passes
   std::optional<std::size_t> texture;
   std::optional<std::size_t> parameter;
+  std::string viewer;                       ///< "SpotLight0"; empty: the camera
 };
 
 struct Technique {
@@ -148,6 +167,9 @@ struct Effect {
   std::vector<std::size_t> preferred_techniques;
   std::shared_ptr<const ast::Module> module;
 };
+
+/// Indices of all samplers that the pass looks up, whichever shaders are chosen; each once.
+[[nodiscard]] std::vector<std::size_t> SamplersOf(const Pass& pass);
 
 [[nodiscard]] const EffectAnnotation* FindAnnotation(const std::vector<EffectAnnotation>&, std::string_view name);
 

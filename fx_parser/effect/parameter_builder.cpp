@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fx_parser/effect/builder.h"
 #include "fx_parser/effect/case.h"
+#include "fx_parser/effect/negated_variables.h"
 #include "fx_parser/semantics/constant.h"
 #include "fx_parser/semantics/conversion.h"
 #include "fx_parser/semantics/host_parameter.h"
@@ -14,7 +15,8 @@ EffectBuilder::EffectBuilder(Checker& checker, const ast::Module& module, std::v
       diagnostics_(checker.diagnostics()),
       attributes_(std::move(attributes)),
       effect_(effect),
-      written_(WrittenVariables(module)) {
+      written_(WrittenVariables(module)),
+      negated_(NegatedVariables(module)) {
   for (std::string& attribute : attributes_) attribute = LowerCase(attribute);
 }
 
@@ -75,6 +77,7 @@ void EffectBuilder::BuildParameters() {
     parameter.annotations = BuildAnnotations(variable->annotations);
     parameter.has_default = variable->initializer != nullptr;
     parameter.default_value = DefaultOf(*variable);
+    parameter.is_negated = negated_.contains(variable);
     parameter.range = variable->range;
     parameters_[variable] = effect_.parameters.size();
     effect_.parameters.push_back(std::move(parameter));

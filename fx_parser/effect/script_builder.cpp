@@ -6,6 +6,7 @@
 
 #include "fx_parser/effect/builder.h"
 #include "fx_parser/effect/case.h"
+#include "fx_parser/effect/parameter_meaning.h"
 #include "fx_parser/effect/script.h"
 
 namespace burin::fx {
@@ -50,10 +51,17 @@ bool Draws(const ScriptStep& step) {
   return step.action == Action::kDrawGeometry || step.action == Action::kDrawBuffer;
 }
 
-/// Whether a parameter's semantic is a matrix that ends in clip space.
-bool IsProjection(const std::string& semantic) {
-  const std::string lower = LowerCase(semantic);
-  return lower.find("proj") != std::string::npos && lower.find("inv") == std::string::npos;
+/// Whether the vertex shader means a scene's geometry: it projects, or it reads what a quadrilateral has not.
+bool ReadsGeometry(const Effect& effect, const Pass& pass) {
+  const ShaderProgram& program = pass.program;
+  if (pass.fixed && pass.fixed->is_vertex) return true;
+  if (program.vertex_entry.empty()) return false;
+  const bool projects = std::ranges::any_of(program.parameters, [&](std::size_t parameter) {
+    return IsProjection(MeaningOf(effect.parameters[parameter], true).semantic);
+  });
+  return projects || std::ranges::any_of(program.vertex_inputs, [](const std::string& input) {
+           return input == "NORMAL0" || input == "TANGENT0" || input == "BLENDWEIGHT0";
+         });
 }
 
 }  // namespace
@@ -130,10 +138,15 @@ void EffectBuilder::AddScriptCommand(const ScriptCommand& command, const ast::Te
       return with_parameter(Action::kLoopIndex);
     case ScriptVerb::kLoopEnd:
       return script.push_back(Step(Action::kLoopEnd));
-    case ScriptVerb::kRenderPort:
-      if (!command.value.empty())
-        WarnScript(range, "RenderPort is ignored: the scene is seen by the camera, not by '" + command.value + "'");
-      return;
+    case ScriptVerb::kRenderPort: {
+      const std::string viewer = LowerCase(command.value);
+      const bool is_light = viewer.find("light") != std::string::npos || viewer.find("lamp") != std::string::npos;
+      if (!viewer.empty() && !is_light)
+        WarnScript(range, "RenderPort names '" + command.value + "', which is no light: the camera sees the scene");
+      ScriptStep step = Step(Action::kViewer);
+      step.viewer = command.value;
+      return script.push_back(step);
+    }
     case ScriptVerb::kTechnique:
     case ScriptVerb::kSignature:
       return;
@@ -211,10 +224,7 @@ void EffectBuilder::BuildScripts() {
   if (effect_.uses_extension) return;
   for (Technique& technique : effect_.techniques) {
     for (Pass& pass : technique.passes) {
-      pass.projects = !pass.program.vertex_entry.empty() &&
-                      std::ranges::any_of(pass.program.parameters, [&](std::size_t parameter) {
-                        return IsProjection(effect_.parameters[parameter].semantic);
-                      });
+      pass.projects = ReadsGeometry(effect_, pass);
     }
   }
 }

@@ -100,11 +100,11 @@ EffectBuilder::Shader EffectBuilder::ResolveShaderElement(ast::Index& index, con
         "index out of bounds: '" + array->name + "' has " + std::to_string(list->elements.size()) + " shaders");
     return failed;
   }
-  if (!defaults.empty()) {
-    diagnostics_.Warning(index.index->range, "B1011",
-                         "a shader is chosen by the parameter's initial value, not by what it is set to later");
-  }
-  return ResolveShader(*list->elements[static_cast<std::size_t>(at)], vertex, depth + 1);
+  Shader shader = ResolveShader(*list->elements[static_cast<std::size_t>(at)], vertex, depth + 1);
+  if (defaults.empty()) return shader;
+  shader.choice = index.index.get();
+  for (const auto& element : list->elements) shader.options.push_back(ResolveShader(*element, vertex, depth + 1));
+  return shader;
 }
 
 EffectBuilder::Shader EffectBuilder::ResolveShader(ast::Expression& value, bool vertex, int depth) {

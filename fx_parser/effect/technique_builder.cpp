@@ -4,7 +4,6 @@
 #include "fx_parser/effect/builder.h"
 #include "fx_parser/effect/case.h"
 #include "fx_parser/effect/state_table.h"
-#include "fx_parser/glsl/interface.h"
 
 namespace burin::fx {
 namespace {
@@ -16,36 +15,10 @@ bool IsPixelShaderState(std::string_view name) {
   return EqualsIgnoringCase(name, "PixelShader") || EqualsIgnoringCase(name, "FragmentProgram");
 }
 
-/// Whether the pass may test alpha: a constant false says it does not.
-bool SetsAlphaTest(const Pass& pass) {
-  bool sets = false;
-  for (const PassState& state : pass.states) {
-    if (state.name != RenderState::kAlphaTestEnable) continue;
-    const auto* value = std::get_if<Value>(&state.value);
-    sets = value == nullptr || value->numbers[0] != 0;
-  }
-  return sets;
-}
-
 bool IsFalse(const ast::Expression& value) {
   if (const auto* literal = std::get_if<ast::BoolLiteral>(&value.node)) return !literal->value;
   const auto* number = std::get_if<ast::IntLiteral>(&value.node);
   return number != nullptr && number->value == 0;
-}
-
-/// Whether a texture stage's state leaves the diffuse colour as the result: SelectArg1 of Diffuse or Current, Disable.
-bool IsDiffuseStage(const ast::StateAssignment& state) {
-  const auto* value = std::get_if<ast::Name>(&state.value->node);
-  const auto* index = state.index != nullptr ? std::get_if<ast::IntLiteral>(&state.index->node) : nullptr;
-  const auto is = [&](std::string_view name) { return value != nullptr && EqualsIgnoringCase(value->name, name); };
-  const bool is_operation = EqualsIgnoringCase(state.name, "ColorOp") || EqualsIgnoringCase(state.name, "AlphaOp");
-  if (is_operation) return is("Disable") || is("SelectArg1") || (is("SelectArg2") && index && index->value == 0);
-  if (EqualsIgnoringCase(state.name, "ColorArg1") || EqualsIgnoringCase(state.name, "AlphaArg1") ||
-      EqualsIgnoringCase(state.name, "ColorArg2") || EqualsIgnoringCase(state.name, "AlphaArg2")) {
-    return is("Diffuse") || is("Current");
-  }
-  // What a texture is looked up with matters only with a texture.
-  return !EqualsIgnoringCase(state.name, "Texture") || is("NULL");
 }
 
 std::string PassTitle(const Pass& pass, int index) {
@@ -76,16 +49,17 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
     if (value) pass.states.push_back({info->state, std::move(*value), assignment.range});
     return;
   }
+  if (BuildFixedState(assignment, shaders.fixed)) return;
   switch (Classify(assignment.name)) {
     case OtherState::kHarmless:
+      if (EqualsIgnoringCase(assignment.name, "FogEnable") && !IsFalse(*assignment.value))
+        diagnostics_.Warning(assignment.name_range, "B1023", "FogEnable: the fixed pipeline's fog is not drawn");
       return;
     case OtherState::kFixedVertex:
-      // Lighting = false and the like ask for what a shader does anyway.
-      shaders.fixed_vertex = shaders.fixed_vertex || !IsFalse(*assignment.value);
-      return;
     case OtherState::kFixedPixel:
-      shaders.fixed_pixel = true;
-      shaders.texture_stages = shaders.texture_stages || !IsDiffuseStage(assignment);
+      if (!IsFalse(*assignment.value))
+        diagnostics_.Warning(assignment.name_range, "B1024",
+                             assignment.name + " is ignored: the fixed pipeline here has no such state");
       return;
     case OtherState::kOtherStage: {
       const auto* name = std::get_if<ast::Name>(&assignment.value->node);
@@ -101,55 +75,6 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
                            (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
-void EffectBuilder::WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported) {
-  const bool has_vertex = shaders.vertex && shaders.vertex->present;
-  const bool has_pixel = shaders.pixel && shaders.pixel->present;
-  if (has_vertex && !shaders.vertex->unsupported.empty()) unsupported.push_back(shaders.vertex->unsupported);
-  if (has_pixel && !shaders.pixel->unsupported.empty()) unsupported.push_back(shaders.pixel->unsupported);
-  if (shaders.fixed_vertex && !has_vertex) unsupported.push_back("fixed-function vertex states");
-  if (shaders.fixed_pixel && !has_pixel && (shaders.texture_stages || !has_vertex))
-    unsupported.push_back("fixed-function texture stages");
-  if (!write_programs_ || !unsupported.empty() || (has_vertex && shaders.vertex->failed) ||
-      (has_pixel && shaders.pixel->failed) || (shaders.vertex && shaders.vertex->failed) ||
-      (shaders.pixel && shaders.pixel->failed)) {
-    return;
-  }
-  ProgramRequest request;
-  if (has_vertex) request.vertex = shaders.vertex->entry;
-  if (has_pixel) request.fragment = shaders.pixel->entry;
-  request.alpha_test = SetsAlphaTest(pass);
-  request.pixel_offset = !effect_.uses_extension;
-  ProgramText text = WriteProgram(request, checker_, written_, diagnostics_);
-  ShaderProgram& program = pass.program;
-  program.vertex_glsl = std::move(text.vertex_glsl);
-  program.fragment_glsl = std::move(text.fragment_glsl);
-  if (has_vertex) program.vertex_entry = request.vertex.function->name;
-  if (has_pixel) program.fragment_entry = request.fragment.function->name;
-  for (const ast::Variable* variable : text.parameters) program.parameters.push_back(parameters_.at(variable));
-  std::sort(program.parameters.begin(), program.parameters.end());
-  for (const SamplerBinding& binding : text.samplers) {
-    const auto at = FindSampler(binding);
-    if (!at) continue;
-    program.samplers.push_back(*at);
-    Sampler& sampler = effect_.samplers[*at];
-    const Dimension used = text.dimensions.at(binding);
-    const Texture* texture = sampler.texture ? &effect_.textures[*sampler.texture] : nullptr;
-    if (texture != nullptr && texture->dimension != Dimension::kUnknown && texture->dimension != used) {
-      diagnostics_
-          .Error(sampler.range, "B1018",
-                 "sampler '" + sampler.name + "' is looked up in another dimension than its texture '" + texture->name +
-                     "' has")
-          .notes.push_back({pass.range, "by the shaders of this pass"});
-    } else if (sampler.dimension == Dimension::kUnknown) {
-      sampler.dimension = used;
-    }
-  }
-  program.vertex_inputs = std::move(text.vertex_inputs);
-  program.targets = text.targets;
-  program.writes_depth = text.writes_depth;
-  program.alpha_test = program.fragment_glsl.find(kUniformAlphaTest) != std::string::npos;
-}
-
 void EffectBuilder::FindTargets(Technique& technique, Pass& pass) {
   if (!technique.custom_attribute.empty()) return;  // the host draws those into the attribute's own textures
   const int index = static_cast<int>(technique.passes.size());
@@ -162,7 +87,7 @@ void EffectBuilder::FindTargets(Technique& technique, Pass& pass) {
 }
 
 void EffectBuilder::CheckDataFlow(const Technique& technique, const Pass& pass, int index) {
-  for (const std::size_t s : pass.program.samplers) {
+  for (const std::size_t s : SamplersOf(pass)) {
     const Sampler& sampler = effect_.samplers[s];
     if (!sampler.texture) continue;
     const Texture& texture = effect_.textures[*sampler.texture];

@@ -38,12 +38,18 @@ Dimension AnnotatedDimension(const std::vector<EffectAnnotation>& annotations) {
 }
 
 bool IsScriptTarget(std::string_view semantic) {
-  return EqualsIgnoringCase(semantic, "RenderColorTarget") || EqualsIgnoringCase(semantic, "RenderDepthStencilTarget");
+  return EqualsIgnoringCase(semantic, "RenderColorTarget") ||
+         EqualsIgnoringCase(semantic, "RenderDepthStencilTarget") ||
+         EqualsIgnoringCase(semantic, "OffscreenRenderTarget");
 }
 
 /// The formats of targets, and the names of others that hold the same.
 std::optional<Format> FindScriptFormat(std::string_view name) {
-  if (LowerCase(name).starts_with("d3dfmt_")) name.remove_prefix(7);
+  constexpr std::string_view kPrefix = "D3DFMT_";
+  if (name.size() > kPrefix.size() && EqualsIgnoringCase(name.substr(0, kPrefix.size()), kPrefix))
+    name.remove_prefix(kPrefix.size());
+  if (EqualsIgnoringCase(name, "A4R4G4B4") || EqualsIgnoringCase(name, "A1R5G5B5")) return Format::kA8R8G8B8;
+  if (EqualsIgnoringCase(name, "X1R5G5B5")) return Format::kX8R8G8B8;
   if (EqualsIgnoringCase(name, "A8B8G8R8")) return Format::kA8R8G8B8;
   if (EqualsIgnoringCase(name, "X8B8G8R8") || EqualsIgnoringCase(name, "R8G8B8")) return Format::kX8R8G8B8;
   if (EqualsIgnoringCase(name, "A2R10G10B10")) return Format::kA2B10G10R10;
@@ -62,6 +68,7 @@ std::optional<double> NumberAnnotation(const std::vector<EffectAnnotation>& anno
 ScriptTargetRole ScriptTarget(const Texture& texture) {
   ScriptTargetRole role;
   role.is_depth_stencil = EqualsIgnoringCase(texture.semantic, "RenderDepthStencilTarget");
+  role.is_offscreen = EqualsIgnoringCase(texture.semantic, "OffscreenRenderTarget");
   const auto pixels = [&](std::string_view own, std::size_t component) {
     const auto length = NumberAnnotation(texture.annotations, own).or_else([&] {
       return NumberAnnotation(texture.annotations, "Dimensions", component);

@@ -239,6 +239,12 @@ std::string VertexEntry::Input(const Semantic& semantic, const std::string&, con
                                  "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
     return "vec4(0.0)";
   }
+  if (semantic == Semantic{"BINORMAL", 0}) {
+    // No mesh brings binormals: they follow from normal and tangent, whose w is the handedness.
+    AddOnce(inputs, Semantic{"NORMAL", 0});
+    AddOnce(inputs, Semantic{"TANGENT", 0});
+    return "vec4(cross(burin_in_NORMAL0.xyz, burin_in_TANGENT0.xyz) * burin_in_TANGENT0.w, 1.0)";
+  }
   AddOnce(inputs, semantic);
   return "burin_in_" + semantic.Key();
 }

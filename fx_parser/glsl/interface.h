@@ -29,6 +29,8 @@ inline constexpr std::string_view kUniformAlphaTest = "burin_alpha_test";
 /// vec4, of procedural textures: a texel's width, height and depth in texture coordinates, and the slice; of cubes the
 /// depth is 0 and the last the face, 0 to 5 as +x, -x, +y, -y, +z, -z.
 inline constexpr std::string_view kUniformTexel = "burin_texel";
+/// vec4[kFixedSlots], of programs with a fixed stage: fx_parser/effect/fixed_function.h says what lies where.
+inline constexpr std::string_view kUniformFixed = "burin_fixed";
 /// vec4: the target's size in pixels and its reciprocal (VPOS and ddy need no flip, so only rarely declared).
 inline constexpr std::string_view kUniformTargetSize = "burin_target_size";
 

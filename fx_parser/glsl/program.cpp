@@ -102,8 +102,21 @@ void WriteDiffuse(const ProgramRequest& request, ProgramText& program, std::vect
                           "void main() {\n" + main + "}\n";
 }
 
+void WriteFixedFragment(const ProgramRequest& request, ProgramText& program, std::vector<Semantic>& varyings) {
+  program.targets = 1;
+  std::string main = FixedPixelText(*request.fixed, varyings);
+  if (request.alpha_test) main += "  if (!burin_alpha_passes(burin_out0.a)) discard;\n";
+  program.fragment_glsl = kHeader + VaryingDeclarations(varyings, "in") +
+                          "layout(location = 0) out vec4 burin_out0;\n" + FixedPixelDeclarations(*request.fixed) +
+                          (request.alpha_test ? AlphaTest() : "") + "void main() {\n" + main + "}\n";
+}
+
 bool WriteFragment(const ProgramRequest& request, StageWriter& stage, ProgramText& program,
                    std::vector<Semantic>& varyings) {
+  if (request.fixed != nullptr && request.fixed->is_pixel) {
+    WriteFixedFragment(request, program, varyings);
+    return true;
+  }
   if (request.fragment.function == nullptr && request.vertex.function == nullptr) {
     program.fragment_glsl = std::string(kHeader) + "void main() {\n}\n";
     return true;
@@ -155,7 +168,10 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
                  const std::vector<Semantic>& varyings) {
   std::string main;
   std::vector<Semantic> inputs;
-  if (request.vertex.function == nullptr) {
+  const bool is_fixed_vertex = request.fixed != nullptr && request.fixed->is_vertex;
+  if (is_fixed_vertex) {
+    main = FixedVertexText(*request.fixed, varyings, inputs);
+  } else if (request.vertex.function == nullptr) {
     main = PassThrough(varyings, inputs);
   } else {
     VertexEntry entry(stage, request.vertex, varyings);
@@ -171,15 +187,18 @@ bool WriteVertex(const ProgramRequest& request, StageWriter& stage, ProgramText&
       if (entry.written.contains(varying.Key())) continue;
       // The fixed pixel stage takes white for a diffuse colour that no one gives.
       const bool is_fixed = request.fragment.function == nullptr;
-      main += "  " + VaryingName(varying) + (is_fixed ? " = vec4(1.0);\n" : " = vec4(0.0);\n");
+      const bool is_white = is_fixed && varying == Semantic{"COLOR", 0};
+      main += "  " + VaryingName(varying) + (is_white ? " = vec4(1.0);\n" : " = vec4(0.0);\n");
     }
   }
   std::string text = kHeader + InputDeclarations(inputs) + VaryingDeclarations(varyings, "out");
-  if (request.pixel_offset) {
+  // The quadrilateral of a pass without a vertex shader is the host's, who has put it right.
+  if (request.pixel_offset && (request.vertex.function != nullptr || is_fixed_vertex)) {
     const std::string uniform(kUniformPixelOffset);
     text += "uniform vec4 " + uniform + ";\n";
     main += "  gl_Position.xy += " + uniform + ".xy * gl_Position.w;\n";
   }
+  if (is_fixed_vertex) text += FixedVertexFunctions(*request.fixed);
   program.vertex_glsl = text + stage.Declarations() + "void main() {\n" + main + "}\n";
   for (const Semantic& input : inputs) program.vertex_inputs.push_back(input.Key());
   Collect(stage, program);

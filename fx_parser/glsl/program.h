@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fx_parser/glsl/fixed_pipeline.h"
 #include "fx_parser/glsl/stage_writer.h"
 
 namespace burin::fx {
@@ -23,6 +24,7 @@ struct ProgramRequest {
   EntryPoint fragment;
   bool alpha_test = false;
   bool pixel_offset = false;
+  const FixedPipeline* fixed = nullptr;   ///< for what has no function; null: the simplest
   bool fills_texture = false;   ///< the fragment's POSITION and PSIZE are a texel's place and size: kUniformTexel
 };
 

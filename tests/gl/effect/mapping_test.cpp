@@ -102,12 +102,18 @@ TEST(Mapping, DdyGoesDownwards) {
 
 TEST(Mapping, FilesWithoutTheExtensionHaveDirect3DsHalfPixel) {
   const std::string text =
-      "float4 Uv(float2 uv : TEXCOORD0) : COLOR { return float4(uv * float2(4, 2), 0, 1); }\n"
-      "technique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 Uv(); } }";
+      "void Vs(float4 p : POSITION, float2 uv : TEXCOORD0, out float4 q : POSITION, out float2 v : TEXCOORD0) { q = p; "
+      "v = uv; }\nfloat4 Uv(float2 uv : TEXCOORD0) : COLOR { return float4(uv * float2(4, 2), 0, 1); }\n"
+      "technique T < string ColorSpace = \"linear\"; > { pass P { VertexShader = compile vs_2_0 Vs(); PixelShader = "
+      "compile ps_2_0 Uv(); } }\n"
+      "technique Host < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 Uv(); } }";
   const PixelMap plain = RunText(text, 4, 2);
   // Coordinates at integer pixels, to 1/128: pixel 0 shows the texture's very corner.
   EXPECT_TRUE(Near(plain.at(0, 0), {0, 0, 0, 1}, 1.0f / 64));
   EXPECT_TRUE(Near(plain.at(3, 1), {3, 1, 0, 1}, 1.0f / 64));
+  // The quadrilateral of a pass without a vertex shader is right as it comes, as hosts of such files draw it.
+  Bench host(CompileText(text), 4, 2, {}, "Host");
+  EXPECT_TRUE(Near(host.RunPixels().at(0, 0), {0.5f, 0.5f, 0, 1}, 1e-5f));
   // An effect that subtracts it gets one to one.
   const std::string corrected =
       "struct V { float4 p : POSITION; float2 uv : TEXCOORD0; };\nfloat2 Size : VIEWPORTPIXELSIZE;\n"

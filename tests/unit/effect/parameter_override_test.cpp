@@ -9,6 +9,8 @@
 namespace burin::effect {
 namespace {
 
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
 EffectBuilder Effect() {
   EffectBuilder builder;
   builder.Parameter("Sigma", fx::ScalarType(fx::Scalar::kFloat));
@@ -53,6 +55,46 @@ TEST(ParseOverrides, TakesNumbersVectorsMatricesAndArrays) {
   EXPECT_EQ(Numbers("Matrix", "1,2,3,4"), (std::vector<double>{1, 2, 3, 4}));
   EXPECT_EQ(Numbers("Points", "1,2,3,4"), (std::vector<double>{1, 2, 3, 4}));
   EXPECT_EQ(Numbers("Count", "-3"), (std::vector<double>{-3}));
+}
+
+TEST(ParseOverrides, TakesPartsOfParameters) {
+  EffectBuilder builder = Effect();
+  fx::ast::Struct light;
+  for (const char* name : {"Color", "Power"}) {
+    auto member = std::make_unique<fx::ast::Variable>();
+    member->name = name;
+    member->type = name[0] == 'C' ? fx::VectorType(fx::Scalar::kFloat, 3) : fx::ScalarType(fx::Scalar::kInt);
+    light.members.push_back(std::move(member));
+  }
+  fx::Type type;
+  type.kind = fx::TypeKind::kStruct;
+  type.structure = &light;
+  type.array = {2};
+  builder.Parameter("Lights", type).default_value.numbers = {1, 1, 1, 5, 2, 2, 2, 6};
+  const auto numbers = [&](const Settings& settings) {
+    const auto overrides = ParseOverrides(builder.effect, settings);
+    EXPECT_TRUE(overrides.has_value()) << overrides.error().message;
+    return overrides ? overrides->parameters.begin()->second.numbers : std::vector<double>{};
+  };
+  const auto error = [&](const std::string& name, const std::string& text) {
+    const auto overrides = ParseOverrides(builder.effect, {{name, text}});
+    return overrides ? std::string("(none)") : overrides.error().message;
+  };
+  EXPECT_EQ(numbers({{"Lights[1].Color", "7,8,9"}}), (std::vector<double>{1, 1, 1, 5, 7, 8, 9, 6}));
+  EXPECT_EQ(numbers({{"Lights[0]", "7,8,9,3"}, {"Lights[1].Power", "4"}}),
+            (std::vector<double>{7, 8, 9, 3, 2, 2, 2, 4}));
+  EXPECT_EQ(numbers({{"Lights", "1,2,3,4,5,6,7,8"}}), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(numbers({{"Points[1]", "3,4"}}), (std::vector<double>{0, 0, 3, 4}));
+  const std::string name = fx::ToString(type);
+  EXPECT_EQ(error("Lights[2]", "1"),
+            "parameter 'Lights[2]' of test.fx (" + name + "): there is no element 2: it has 2");
+  EXPECT_EQ(error("Lights[0].Colour", "1"), "parameter 'Lights[0].Colour' of test.fx (" + name +
+                                                "): there is no member 'Colour'; did you mean 'Color'?");
+  EXPECT_EQ(error("Lights[0].Power", "1.5"),
+            "parameter 'Lights[0].Power' of test.fx (" + name + "): '1.5' is not a whole number");
+  EXPECT_EQ(error("Lights[x]", "1"), "parameter 'Lights[x]' of test.fx (" + name + "): '[x]' is no index");
+  EXPECT_EQ(error("Sigma.x", "1"), "parameter 'Sigma.x' of test.fx (float): a float has no members");
+  EXPECT_EQ(error("Sigma[0]", "1"), "parameter 'Sigma[0]' of test.fx (float): a float has no elements");
 }
 
 TEST(ParseOverrides, TakesBoolsInWords) {

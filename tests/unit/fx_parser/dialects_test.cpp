@@ -19,7 +19,7 @@ TEST(Dialects, FilesCompileToValidGlsl) {
   for (const auto& entry : std::filesystem::directory_iterator(test::DataFile("dialects")))
     paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
-  EXPECT_GE(paths.size(), 12u);
+  EXPECT_GE(paths.size(), 22u);
   Options options;
   options.attributes = test::Attributes();
   for (const std::string& path : paths) {
@@ -161,8 +161,13 @@ TEST(Dialects, WithoutAPixelShaderTheDiffuseColourIsDrawn) {
                     "technique T { pass P { VertexShader = compile vs_2_0 VS(); Texture[0] = <t>; "
                     "ColorOp[0] = Modulate; } }");
   ASSERT_TRUE(textured.effect);
-  EXPECT_EQ(textured.effect->techniques[0].unsupported,
-            (std::vector<std::string>{"pass 'P': fixed-function texture stages"}));
+  const Pass& pass = textured.effect->techniques[0].passes[0];
+  ASSERT_EQ(pass.program.samplers.size(), 1u);
+  EXPECT_EQ(textured.effect->samplers[pass.program.samplers[0]].texture, 0u);
+  EXPECT_TRUE(pass.fixed && pass.fixed->is_pixel && !pass.fixed->is_vertex);
+  if (test::HasGlslang()) {
+    EXPECT_EQ(test::GlslLog(pass.program), "");
+  }
 }
 
 TEST(ProceduralTextures, NeedAFunctionWithSemantics) {

@@ -88,7 +88,8 @@ TEST(Effect, TexturesOfFilesKnowTheirFileAndDimension) {
   EXPECT_EQ(textures[2].dimension, Dimension::k3D);
   EXPECT_EQ(textures[3].dimension, Dimension::kCube) << "an untyped sampler takes its dimension from its use";
   EXPECT_FALSE(result.effect->uses_extension);
-  EXPECT_NE(result.effect->techniques[0].passes[0].program.vertex_glsl.find("burin_pixel_offset"), std::string::npos);
+  EXPECT_EQ(result.effect->techniques[0].passes[0].program.vertex_glsl.find("burin_pixel_offset"), std::string::npos)
+      << "the host's quadrilateral is right as it comes";
 }
 
 TEST(Effect, AUsesOwnTechniqueMakesACustomAttribute) {
@@ -173,11 +174,11 @@ TEST(Techniques, WhatThisHostLacksIsAReasonNotAnError) {
   const auto reasons = [&](std::size_t i) { return result.effect->techniques[i].unsupported; };
   using testing::ElementsAre;
   EXPECT_THAT(reasons(0), ElementsAre("pass 'P0': asm shaders"));
-  EXPECT_THAT(reasons(1), ElementsAre("pass 'P0': fixed-function texture stages"));
+  EXPECT_THAT(reasons(1), ElementsAre());
   EXPECT_THAT(reasons(2), ElementsAre("pass 'P0': unknown or unsupported profile 'ps_9_9'"));
   EXPECT_THAT(reasons(3), ElementsAre("technique10 is not supported"));
   EXPECT_THAT(reasons(4), ElementsAre("pass 'P0': GeometryShader"));
-  EXPECT_THAT(reasons(5), ElementsAre("pass 'P0': fixed-function vertex states"));
+  EXPECT_THAT(reasons(5), ElementsAre());
   EXPECT_THAT(reasons(6), ElementsAre("it has no passes"));
   EXPECT_THAT(reasons(7), ElementsAre());
   EXPECT_THAT(reasons(8), ElementsAre());
@@ -199,9 +200,14 @@ TEST(Techniques, ShadersComeFromVariablesAndArrays) {
   EXPECT_EQ(passes[1].program.fragment_entry, "One");
   EXPECT_EQ(passes[2].program.fragment_entry, "");
   EXPECT_EQ(passes[2].program.targets, 1);  // the diffuse colour
-  EXPECT_EQ(
-      Messages(result),
-      "7:45: warning: a shader is chosen by the parameter's initial value, not by what it is set to later [B1011]\n");
+  EXPECT_EQ(Messages(result), "");
+  ASSERT_EQ(passes[0].choices.size(), 2u);
+  EXPECT_EQ(passes[0].choices[0].vertex_entry, "A");
+  EXPECT_EQ(passes[0].choices[1].vertex_entry, "B");
+  EXPECT_EQ(passes[0].vertex_choice.count, 2u);
+  EXPECT_NE(passes[0].vertex_choice.index, nullptr);
+  EXPECT_EQ(passes[0].pixel_choice.index, nullptr);
+  EXPECT_TRUE(passes[1].choices.empty());
 }
 
 TEST(Techniques, EntryPointsAreChecked) {

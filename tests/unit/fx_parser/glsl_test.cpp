@@ -187,7 +187,7 @@ TEST(Glsl, MissingStagesAreFilledIn) {
   EXPECT_EQ(passes[0].program.vertex_inputs, (std::vector<std::string>{"POSITION0", "TEXCOORD3"}));
   EXPECT_NE(passes[0].program.vertex_glsl.find("burin_v_TEXCOORD3 = burin_in_TEXCOORD3;"), std::string::npos);
   EXPECT_NE(passes[0].program.vertex_glsl.find("burin_v_COLOR0 = vec4(1.0);"), std::string::npos);
-  EXPECT_EQ(passes[1].program.targets, 0);
+  EXPECT_EQ(passes[1].program.targets, 1);  // the fixed pipeline's
 }
 
 TEST(Glsl, AlphaTestIsWrittenWhenTheStatesSwitchItOn) {

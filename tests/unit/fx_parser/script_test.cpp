@@ -106,7 +106,7 @@ TEST(Script, TheFilesOwnChooseTheTechnique) {
 }
 
 TEST(Script, WarnsOfWhatItNamesInVain) {
-  EXPECT_EQ(Messages(kTargets + TwoPasses("Pass=C;RenderColorTarget0=Depth;ClearSetColor=White;Pas=A;RenderPort=Light0;"
+  EXPECT_EQ(Messages(kTargets + TwoPasses("Pass=C;RenderColorTarget0=Depth;ClearSetColor=White;Pas=A;RenderPort=Window;"
                                           "Draw=Buffer;Pass=A;",
                                           "Pass=B;Draw=Buffer;")),
             "4:31: warning: script: technique 'T' has no pass 'C' [B1020]\n"
@@ -114,7 +114,7 @@ TEST(Script, WarnsOfWhatItNamesInVain) {
             "RENDERCOLORTARGET [B1020]\n"
             "4:31: warning: script: ClearSetColor names 'White', which is no parameter [B1020]\n"
             "4:31: warning: script: unknown command 'Pas' is ignored; did you mean 'Pass'? [B1020]\n"
-            "4:31: warning: script: RenderPort is ignored: the scene is seen by the camera, not by 'Light0' [B1020]\n"
+            "4:31: warning: script: RenderPort names 'Window', which is no light: the camera sees the scene [B1020]\n"
             "4:31: warning: script: 'Draw' stands in the script of a pass [B1020]\n"
             "4:159: warning: script: a pass cannot run passes: 'Pass=B' is ignored [B1020]\n");
   EXPECT_EQ(Messages("texture t : RENDERCOLORTARGET < string Format = \"Q8W8V8U8\"; >;"),
