@@ -66,6 +66,7 @@ TEST(ParseOverrides, TakesPartsOfParameters) {
     member->type = name[0] == 'C' ? fx::VectorType(fx::Scalar::kFloat, 3) : fx::ScalarType(fx::Scalar::kInt);
     light.members.push_back(std::move(member));
   }
+  light.components = 4;
   fx::Type type;
   type.kind = fx::TypeKind::kStruct;
   type.structure = &light;

@@ -15,7 +15,6 @@ namespace {
 /// Of these, the techniques that cannot run; of all others, every one runs.
 const std::map<std::string, std::vector<std::string>> kUnsupported = {
     {"asm_in_functions.fx", {"a"}},
-    {"fixed_function.cgfx", {"fixedfn"}},
     {"interfaces.cgfx", {"a"}},
     {"control_objects.fx", {"E"}},
 };
