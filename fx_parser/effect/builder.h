@@ -34,7 +34,7 @@ class EffectBuilder {
     std::optional<Shader> pixel;
     bool fixed_vertex = false;
     bool fixed_pixel = false;
-    bool texture_stages = false;   ///< fixed_pixel, and they do more than hand the diffuse colour on
+    bool texture_stages = false;  ///< fixed_pixel, and they do more than hand the diffuse colour on
     // CgFX says in three states what CullMode says in one.
     std::optional<bool> cull_enable;
     bool cull_front = false;
@@ -100,8 +100,8 @@ class EffectBuilder {
   std::map<const ast::Variable*, std::size_t> parameters_;
   std::map<const ast::Variable*, std::size_t> textures_;
   std::map<SamplerBinding, std::size_t> samplers_;
-  bool is_scripted_ = false;        ///< some parameter is STANDARDSGLOBAL
-  bool draws_geometry_ = true;      ///< what a pass without a script of its own does
+  bool is_scripted_ = false;    ///< some parameter is STANDARDSGLOBAL
+  bool draws_geometry_ = true;  ///< what a pass without a script of its own does
 };
 
 }  // namespace burin::fx
