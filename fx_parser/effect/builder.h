@@ -122,8 +122,8 @@ class EffectBuilder {
   std::map<const ast::Variable*, std::size_t> parameters_;
   std::map<const ast::Variable*, std::size_t> textures_;
   std::map<SamplerBinding, std::size_t> samplers_;
-  bool is_scripted_ = false;        ///< some parameter is STANDARDSGLOBAL
-  bool draws_geometry_ = true;      ///< what a pass without a script of its own does
+  bool is_scripted_ = false;    ///< some parameter is STANDARDSGLOBAL
+  bool draws_geometry_ = true;  ///< what a pass without a script of its own does
 };
 
 }  // namespace burin::fx

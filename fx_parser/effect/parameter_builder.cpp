@@ -35,9 +35,9 @@ std::vector<EffectAnnotation> EffectBuilder::BuildAnnotations(std::vector<ast::A
   std::vector<EffectAnnotation> result;
   for (ast::Annotation& annotation : annotations) {
     const bool is_untyped = annotation.type.name.empty() && annotation.value != nullptr;
-    const Type type =
-        is_untyped ? checker_.CheckExpression(*annotation.value)
-                   : checker_.ResolveArrayType(annotation.type, annotation.array_sizes, annotation.value.get());
+    const Type type = is_untyped
+                          ? checker_.CheckExpression(*annotation.value)
+                          : checker_.ResolveArrayType(annotation.type, annotation.array_sizes, annotation.value.get());
     if (type.kind == TypeKind::kError) continue;
     Value value = ZeroValue(type);
     if (annotation.value != nullptr) {

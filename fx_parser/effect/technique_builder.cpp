@@ -153,8 +153,7 @@ void EffectBuilder::BuildTechniques() {
     const auto [at, inserted] = names.emplace(source->name, source);
     if (!inserted && !source->name.empty()) {
       diagnostics_
-          .Warning(source->range, "B1027",
-                   "a second technique '" + source->name + "': its name means the first one")
+          .Warning(source->range, "B1027", "a second technique '" + source->name + "': its name means the first one")
           .notes.push_back({at->second->range, "'" + source->name + "' was defined here"});
     }
     if (source->keyword == "technique10" || source->keyword == "technique11") {

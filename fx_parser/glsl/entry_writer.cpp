@@ -218,8 +218,8 @@ std::string FragmentEntry::Output(const Semantic& semantic, const std::string& v
   }
   if (semantic.name == "COLOR") {
     stage_.Warning(range, "B1028",
-                                 "'" + entry_.function->name + "': there is no target " +
-                                     std::to_string(semantic.index) + ", so what goes there is lost");
+                   "'" + entry_.function->name + "': there is no target " + std::to_string(semantic.index) +
+                       ", so what goes there is lost");
     return {};
   }
   if (semantic.name == "DEPTH") {
@@ -235,8 +235,7 @@ std::string VertexEntry::Input(const Semantic& semantic, const std::string&, con
   if (semantic.name == "SV_VERTEXID") return "vec4(float(gl_VertexID))";
   if (semantic.name == "SV_INSTANCEID") return "vec4(float(gl_InstanceID))";
   if (!VertexInputLocation(semantic.Key())) {
-    stage_.Warning(range, "B1016",
-                                 "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
+    stage_.Warning(range, "B1016", "'" + semantic.Key() + "' is no vertex input of this host: it reads as 0");
     return "vec4(0.0)";
   }
   if (semantic == Semantic{"BINORMAL", 0}) {

@@ -137,7 +137,7 @@ std::string FunctionWriter::Emit(const ast::Expression& e, const ast::Cast& n) {
 
 std::string FunctionWriter::Emit(const ast::Expression&, const ast::Member& n) {
   const Type& type = n.operand->type;
-  if (type.is_array()) return std::to_string(type.array.front());   // .length
+  if (type.is_array()) return std::to_string(type.array.front());  // .length
   const std::string operand = Expression(*n.operand);
   if (type.kind == TypeKind::kStruct) return operand + "." + GlslMemberName(n.name);
   const auto swizzle = ParseSwizzle(type, n.name);

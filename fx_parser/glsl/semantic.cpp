@@ -38,8 +38,8 @@ std::optional<int> VertexInputLocation(std::string_view text) {
                                                             {"BINORMAL0", 3},    {"COLOR0", 4},       {"COLOR1", 5},
                                                             {"BLENDWEIGHT0", 6}, {"BLENDINDICES0", 7}};
   // Cg's attribute numbers (Cg Toolkit 3.1, profile arbvp1, "Varying Input Semantics").
-  static const std::map<int, std::string_view> attributes = {{0, "POSITION0"}, {1, "BLENDWEIGHT0"}, {2, "NORMAL0"},
-                                                             {3, "COLOR0"},    {4, "COLOR1"}};
+  static const std::map<int, std::string_view> attributes = {
+      {0, "POSITION0"}, {1, "BLENDWEIGHT0"}, {2, "NORMAL0"}, {3, "COLOR0"}, {4, "COLOR1"}};
   const Semantic semantic = ParseSemantic(text);
   if (semantic.name == "ATTR") {
     if (semantic.index >= 8) return VertexInputLocation("TEXCOORD" + std::to_string(semantic.index - 8));

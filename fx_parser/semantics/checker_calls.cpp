@@ -77,8 +77,7 @@ void Checker::ReportNoOverload(const ast::Call& call) {
     return;
   }
   for (const Intrinsic& intrinsic : Intrinsics()) {
-    if (intrinsic.name == call.name)
-      error.notes.push_back({{}, "candidate: " + DescribeIntrinsic(intrinsic)});
+    if (intrinsic.name == call.name) error.notes.push_back({{}, "candidate: " + DescribeIntrinsic(intrinsic)});
   }
 }
 
@@ -129,9 +128,9 @@ Type Checker::CheckMethodCall(ast::Call& call, const std::vector<Type>& types) {
     }
     if (const auto result = ForeignMethod(object, call.name)) return *result;
   }
-  diagnostics_.Error(call.name_range, "X3018",
-                     "'" + ToString(object) + "' has no function '" + call.name + "' that takes (" +
-                         Types(call.arguments) + ")");
+  diagnostics_.Error(
+      call.name_range, "X3018",
+      "'" + ToString(object) + "' has no function '" + call.name + "' that takes (" + Types(call.arguments) + ")");
   return Type{};
 }
 

@@ -137,7 +137,7 @@ Type Checker::ResolveArrayType(ast::TypeName& name, std::vector<ast::ExpressionP
 
 /// Fills in what it counts; what is too large or too deep loses its members after the error.
 void Checker::MeasureStruct(ast::Struct& structure) {
-  long leaves = 0;   // an empty struct is one too, or a few lines could ask for no end of them
+  long leaves = 0;  // an empty struct is one too, or a few lines could ask for no end of them
   bool is_numeric = true;
   structure.components = 0;
   for (const auto& member : structure.members) {

@@ -75,9 +75,8 @@ bool Checker::RequireLvalue(const ast::Expression& target) {
   if (target.type.kind == TypeKind::kError) return false;
   // `float4(a, b.xyz) = v` assigns to the parts.
   if (const auto* parts = std::get_if<ast::Construct>(&target.node); parts != nullptr && parts->arguments.size() > 1) {
-    return std::ranges::all_of(parts->arguments, [&](const auto& part) {
-      return RequireNumeric(*part) && RequireLvalue(*part);
-    });
+    return std::ranges::all_of(parts->arguments,
+                               [&](const auto& part) { return RequireNumeric(*part) && RequireLvalue(*part); });
   }
   const ast::Variable* root = RootVariable(target);
   if (root == nullptr) {
@@ -299,11 +298,10 @@ Type Checker::Check(ast::Expression&, ast::Member& n) {
                            SuggestionText(NearestName(n.name, names)));
     return Type{};
   }
-  if (operand.is_array() && n.name == "length") return ScalarType(Scalar::kInt);   // Cg's
+  if (operand.is_array() && n.name == "length") return ScalarType(Scalar::kInt);  // Cg's
   if (const auto swizzle = ParseSwizzle(operand, n.name)) return SwizzleType(operand, swizzle->size());
   diagnostics_.Error(n.name_range, "X3018",
-                     "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'" +
-                         DescribeComponents(operand));
+                     "invalid subscript '" + n.name + "' of '" + ToString(operand) + "'" + DescribeComponents(operand));
   return Type{};
 }
 

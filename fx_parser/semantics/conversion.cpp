@@ -59,6 +59,18 @@ std::optional<Conversion> NumericConversion(const Type& from, const Type& to) {
   return result;
 }
 
+/// As the checker has counted them, or counted now.
+long ComponentsOf(const ast::Struct& structure) {
+  if (structure.components != ast::Struct::kNotCounted) return structure.components;
+  long count = 0;
+  for (const auto& member : structure.members) {
+    const long inner = FlatComponents(member->type);
+    if (inner < 0) return -1;
+    count += inner;
+  }
+  return count;
+}
+
 Scalar Promoted(Scalar scalar) { return scalar == Scalar::kBool ? Scalar::kInt : scalar; }
 
 }  // namespace
@@ -175,7 +187,7 @@ long FlatComponents(const Type& type) {
   if (type.kind == TypeKind::kNumeric) {
     count = type.rows * type.columns;
   } else if (type.kind == TypeKind::kStruct && type.structure != nullptr) {
-    count = type.structure->components;
+    count = ComponentsOf(*type.structure);
     if (count < 0) return -1;
   } else {
     return -1;

@@ -33,20 +33,31 @@ struct Foreign {
   std::string_view name;
   Gives gives;
 };
-constexpr Foreign kForeign[] = {
-    {"Sample", Gives::kElement},        {"SampleBias", Gives::kElement},
-    {"SampleLevel", Gives::kElement},   {"SampleGrad", Gives::kElement},
-    {"SampleCmp", Gives::kFloat},       {"SampleCmpLevelZero", Gives::kFloat},
-    {"Load", Gives::kElement},          {"Load2", Gives::kFloat4},
-    {"Load3", Gives::kFloat4},          {"Load4", Gives::kFloat4},
-    {"Gather", Gives::kFloat4},         {"GatherRed", Gives::kFloat4},
-    {"GatherGreen", Gives::kFloat4},    {"GatherBlue", Gives::kFloat4},
-    {"GatherAlpha", Gives::kFloat4},    {"GatherCmp", Gives::kFloat4},
-    {"GatherCmpRed", Gives::kFloat4},   {"CalculateLevelOfDetail", Gives::kFloat},
-    {"GetDimensions", Gives::kNothing}, {"GetSamplePosition", Gives::kFloat4},
-    {"Append", Gives::kNothing},        {"RestartStrip", Gives::kNothing},
-    {"Consume", Gives::kElement},       {"Store", Gives::kNothing},
-    {"CalculateLevelOfDetailUnclamped", Gives::kFloat}};
+constexpr Foreign kForeign[] = {{"Sample", Gives::kElement},
+                                {"SampleBias", Gives::kElement},
+                                {"SampleLevel", Gives::kElement},
+                                {"SampleGrad", Gives::kElement},
+                                {"SampleCmp", Gives::kFloat},
+                                {"SampleCmpLevelZero", Gives::kFloat},
+                                {"Load", Gives::kElement},
+                                {"Load2", Gives::kFloat4},
+                                {"Load3", Gives::kFloat4},
+                                {"Load4", Gives::kFloat4},
+                                {"Gather", Gives::kFloat4},
+                                {"GatherRed", Gives::kFloat4},
+                                {"GatherGreen", Gives::kFloat4},
+                                {"GatherBlue", Gives::kFloat4},
+                                {"GatherAlpha", Gives::kFloat4},
+                                {"GatherCmp", Gives::kFloat4},
+                                {"GatherCmpRed", Gives::kFloat4},
+                                {"CalculateLevelOfDetail", Gives::kFloat},
+                                {"GetDimensions", Gives::kNothing},
+                                {"GetSamplePosition", Gives::kFloat4},
+                                {"Append", Gives::kNothing},
+                                {"RestartStrip", Gives::kNothing},
+                                {"Consume", Gives::kElement},
+                                {"Store", Gives::kNothing},
+                                {"CalculateLevelOfDetailUnclamped", Gives::kFloat}};
 
 }  // namespace
 

@@ -58,7 +58,8 @@ std::string DescribeComponents(const Type& type) {
   }
   const auto list = [&](std::string_view letters) {
     std::string text;
-    for (int i = 0; i < type.columns; ++i) text += (i > 0 ? ", " : "") + std::string(1, letters[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < type.columns; ++i)
+      text += (i > 0 ? ", " : "") + std::string(1, letters[static_cast<std::size_t>(i)]);
     return text;
   };
   return (type.columns == 1 ? ": its component is " : ": its components are ") + list("xyzw") + " or " + list("rgba");

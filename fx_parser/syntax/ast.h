@@ -155,13 +155,14 @@ struct Function {
 
 /// Also Cg's interfaces.
 struct Struct {
+  static constexpr long kNotCounted = -2;
   Range range;
   std::string name;             ///< empty if anonymous
   std::vector<std::unique_ptr<Variable>> members;
   std::vector<std::unique_ptr<Function>> methods;   ///< their heads: no shader of ours can call them
   bool is_interface = false;
   // Filled by semantics, so that no one counts through structs inside structs again.
-  long components = 0;          ///< numeric ones; -1 when something in it is not numeric
+  long components = kNotCounted;   ///< numeric ones; -1 when something in it is not numeric
   long leaves = 1;              ///< members of all kinds, those of inner structs too
   int depth = 1;                ///< of structs inside one another
 };

@@ -55,11 +55,12 @@ TEST(Dialects, InterfacesCostOnlyTheTechniquesThatCallThem) {
       "float4 Plain() : COLOR { return float4(lamp.at, 1); }\n"
       "technique A { pass P { PixelShader = compile ps_2_0 Lit(); } }\n"
       "technique B { pass P { PixelShader = compile ps_2_0 Plain(); } }");
-  EXPECT_EQ(Messages(result),
-            "4:1: warning: an array without a size gets it from a host, which this one has no means to choose: it has one "
-            "element [B1025]\n"
-            "8:11: warning: technique 'A' cannot run here: pass 'P': function 'Lit' calls a struct's function 'Shine' "
-            "[B1026]\n");
+  EXPECT_EQ(
+      Messages(result),
+      "4:1: warning: an array without a size gets it from a host, which this one has no means to choose: it has one "
+      "element [B1025]\n"
+      "8:11: warning: technique 'A' cannot run here: pass 'P': function 'Lit' calls a struct's function 'Shine' "
+      "[B1026]\n");
   ASSERT_TRUE(result.effect);
   EXPECT_TRUE(result.effect->techniques[1].unsupported.empty());
   EXPECT_EQ(Messages("struct S { float f(float x); }; S s; float4 PS() : COLOR { return s.g(1); }"),
@@ -71,7 +72,8 @@ TEST(Dialects, AsmInAFunctionCostsOnlyTheTechniquesThatRunIt) {
       "sampler s; float4 Fetch(float2 t) { float4 r; asm { tfetch2D r, t, s, OffsetX=-0.5 }; [isolate] { r += 1; } "
       "return r; }\n"
       "float4 A(float2 t : TEXCOORD0) : COLOR { return Fetch(t); } float4 B() : COLOR { return 1; }\n"
-      "technique A { pass { PixelShader = compile ps_3_0 A(); } } technique B { pass { PixelShader = compile ps_3_0 B(); "
+      "technique A { pass { PixelShader = compile ps_3_0 A(); } } technique B { pass { PixelShader = compile ps_3_0 "
+      "B(); "
       "} }");
   EXPECT_EQ(Messages(result),
             "3:11: warning: technique 'A' cannot run here: pass 0: asm in function 'Fetch' [B1026]\n");

@@ -2,6 +2,8 @@
 // The exact text and place of every message about names, types and flow.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/unit/fx_parser/compile_effect.h"
 
 namespace burin::fx {
@@ -80,8 +82,10 @@ TEST(Types, MismatchesNameBoth) {
 }
 
 TEST(Types, MembersAndElementsAreChecked) {
-  EXPECT_EQ(InFunction("v.x = v.q;"), "2:9: error: invalid subscript 'q' of 'float4': its components are x, y, z, w or r, g, b, a [X3018]\n");
-  EXPECT_EQ(InFunction("v.x = v.xy.z;"), "2:12: error: invalid subscript 'z' of 'float2': its components are x, y or r, g [X3018]\n");
+  EXPECT_EQ(InFunction("v.x = v.q;"),
+            "2:9: error: invalid subscript 'q' of 'float4': its components are x, y, z, w or r, g, b, a [X3018]\n");
+  EXPECT_EQ(InFunction("v.x = v.xy.z;"),
+            "2:12: error: invalid subscript 'z' of 'float2': its components are x, y or r, g [X3018]\n");
   EXPECT_EQ(InFunction("S s; v.x = s.colour;", "struct S { float color; };\n"),
             "3:14: error: invalid subscript 'colour': struct 'S' has no such member; did you mean 'color'? [X3018]\n");
   EXPECT_EQ(InFunction("v.x = v[4];"), "2:9: error: index out of bounds: 'float4' has 4 elements [X3504]\n");
@@ -169,9 +173,11 @@ TEST(Flow, EveryPathReturns) {
 
 TEST(Flow, ConditionsAreScalars) {
   EXPECT_EQ(InFunction("if (v) v = 1;"),
-            "2:5: error: if statement conditional expressions must evaluate to a scalar, not 'float4'; any() or all() makes one of it [X3019]\n");
+            "2:5: error: if statement conditional expressions must evaluate to a scalar, not 'float4'; any() or all() "
+            "makes one of it [X3019]\n");
   EXPECT_EQ(InFunction("while (v > 0) v -= 1;"),
-            "2:8: error: loop conditional expressions must evaluate to a scalar, not 'bool4'; any() or all() makes one of it [X3019]\n");
+            "2:8: error: loop conditional expressions must evaluate to a scalar, not 'bool4'; any() or all() makes one "
+            "of it [X3019]\n");
   EXPECT_EQ(InFunction("break;"), "2:1: error: break must be inside a loop or switch [X3518]\n");
   EXPECT_EQ(InFunction("continue;"), "2:1: error: continue must be inside a loop [X3519]\n");
   EXPECT_EQ(InFunction("switch (1) { case 1: break; case 1: break; }"),
@@ -209,6 +215,44 @@ TEST(Names, OfFunctionsAreReportedBesideTheirArguments) {
   EXPECT_EQ(InFunction("v = tex2d(nothing, v);"),
             "2:11: error: undeclared identifier 'nothing' [X3004]\n"
             "2:5: error: undeclared identifier 'tex2d'; did you mean 'tex2D'? [X3004]\n");
+}
+
+std::string Chain(int links, const std::function<std::string(int)>& link) {
+  std::string text;
+  for (int i = 0; i < links; ++i) text += link(i);
+  return text;
+}
+
+// Longer than a stack is deep, were they followed by recursion; the names sort against the calls.
+TEST(Limits, ChainsAsLongAsAFileAreNoDeeperThanOthers) {
+  constexpr int kLinks = 30000;
+  const auto n = [](int i) { return std::to_string(100000 - i); };
+  const std::string use =
+      "float4 PS(float2 t : TEXCOORD0) : COLOR { float4 r = 0; if (t.x > 0.5) r = @; return r; }\n"
+      "technique T { pass { PixelShader = compile ps_3_0 PS(); } }";
+  const auto codes = [&](const std::string& chain, const std::string& last) {
+    std::string text = chain + use;
+    text.replace(text.find('@'), 1, last);
+    std::string list;
+    for (const Diagnostic& d : test::Compile(text).diagnostics) list += d.code + " ";
+    return list;
+  };
+  EXPECT_EQ(codes("float f100001() { return 1; }\n" +
+                      Chain(kLinks, [&](int i) { return "float f" + n(i) + "() { return f" + n(i - 1) + "(); }\n"; }),
+                  "f" + n(kLinks - 1) + "()"),
+            "B1013 ");
+  EXPECT_EQ(codes("static float g100001 = 1;\n" +
+                      Chain(kLinks, [&](int i) { return "static float g" + n(i) + " = g" + n(i - 1) + " + 1;\n"; }),
+                  "g" + n(kLinks - 1)),
+            "B1013 ");
+  const std::string structs = Messages("struct S100001 { float x; };\n" + Chain(70, [&](int i) {
+                                         return "struct S" + n(i) + " { S" + n(i - 1) + " a; };\n";
+                                       }));
+  EXPECT_EQ(structs, "65:8: error: structs are nested more than 64 levels deep [B1201]\n");
+  // Two empty structs in each of the next: 2 to the 40 of them.
+  EXPECT_EQ(Messages("struct S100001 { };\n" +
+                     Chain(21, [&](int i) { return "struct S" + n(i) + " { S" + n(i - 1) + " a, b; };\n"; })),
+            "22:8: error: struct has more than 1048576 components [X3059]\n");
 }
 
 }  // namespace
