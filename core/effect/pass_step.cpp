@@ -40,7 +40,10 @@ Result<PassStep> PassStep::Create(const fx::Effect& effect, const Step& step, st
   const fx::Pass& pass = PassOf(effect, step);
   result.label_ = fmt::format("{}: technique '{}', pass {}", effect.path, effect.techniques[step.technique].name,
                               pass.name.empty() ? fmt::format("{}", step.pass) : fmt::format("'{}'", pass.name));
-  result.is_fixed_vertex_ = pass.fixed && pass.fixed->is_vertex;
+  result.lights_material_ =
+      pass.fixed && pass.fixed->is_lit && std::ranges::none_of(pass.fixed->states, [](const fx::FixedState& state) {
+        return state.name == fx::FixedName::kMaterialDiffuse;
+      });
   for (const fx::PassState& state : pass.states) {
     if (const auto* value = std::get_if<fx::Value>(&state.value)) {
       if (const std::string fault = SetState(result.states_, state.name, *value); !fault.empty()) {

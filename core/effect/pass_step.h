@@ -50,8 +50,8 @@ class PassStep {
   /// Unbinds textures and samplers.
   void End() const;
 
-  /// The fixed pipeline's vertex stage, which has the material's colours.
-  [[nodiscard]] bool lights_material() const { return is_fixed_vertex_; }
+  /// The fixed pipeline lights it, with the colours of the object's material.
+  [[nodiscard]] bool lights_material() const { return lights_material_; }
   [[nodiscard]] std::size_t technique() const { return step_.technique; }
   [[nodiscard]] bool draws_scene() const { return step_.draws_scene; }
   [[nodiscard]] bool shows_source() const { return step_.shows_source && Shows(TextureMeaning::kBaseColor); }
@@ -95,7 +95,7 @@ class PassStep {
   gl::FramebufferHandle srgb_framebuffer_;
   std::vector<int> writable_;        ///< DrawTargets::writable
   std::vector<std::array<float, 4>> clear_colors_;
-  bool is_fixed_vertex_ = false;
+  bool lights_material_ = false;
   bool said_bad_state_ = false;
 };
 

@@ -54,6 +54,7 @@ inline constexpr int kFixedStages = 8;
 struct FixedFunction {
   bool is_vertex = false;  ///< there is no vertex shader
   bool is_pixel = false;   ///< there is no pixel shader
+  bool is_lit = false;     ///< is_vertex, and Lighting is on
   std::vector<FixedState> states;
 };
 

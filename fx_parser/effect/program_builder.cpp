@@ -122,10 +122,14 @@ std::optional<ShaderProgram> EffectBuilder::WriteShaders(Pass& pass, const PassS
       const bool own_texture = vertex == nullptr || WritesTexcoord0(*vertex->entry.function);
       pipeline = MakeFixedPipeline(fixed, pass, own_texture && !effect_.uses_extension, fixed_samplers);
     }
+    pipeline.lighting = fixed.lighting.value_or(true);
     pipeline.is_pixel = pixel == nullptr;
     pipeline.is_vertex = vertex == nullptr;
     request.fixed = &pipeline;
-    pass.fixed = FixedFunction{pipeline.is_vertex, pipeline.is_pixel, fixed.states};
+    pass.fixed = FixedFunction{.is_vertex = pipeline.is_vertex,
+                               .is_pixel = pipeline.is_pixel,
+                               .is_lit = pipeline.is_vertex && fixed.lighting.value_or(true),
+                               .states = fixed.states};
   }
   ProgramText text = WriteProgram(request, checker_, written_, diagnostics_);
   if (text.vertex_glsl.empty()) return std::nullopt;

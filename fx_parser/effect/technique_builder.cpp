@@ -59,7 +59,8 @@ void EffectBuilder::BuildPassState(ast::StateAssignment& assignment, Pass& pass,
     case OtherState::kFixedPixel:
       if (!IsFalse(*assignment.value))
         diagnostics_.Warning(assignment.name_range, "B1024",
-                             assignment.name + " is ignored: the fixed pipeline here has no such state");
+                             assignment.name + " is ignored: the fixed pipeline here has no such state" +
+                                 (assignment.index != nullptr ? " or stage" : ""));
       return;
     case OtherState::kOtherStage: {
       const auto* name = std::get_if<ast::Name>(&assignment.value->node);
