@@ -38,15 +38,15 @@ run render examples/walk.glb --frames 1-48 --fps 24 --size 640x480 -o "$out/walk
 run render edges/sobel "$out/walk.mkv" -o "$out/walk_sobel.mkv"
 run render filter/gaussian "$out/walk.mkv" -o "$out/walk_gaussian.mp4"
 # Light that scatters inside, as the method's paper shows it: a candle lit by its flame; translucent and opaque; the light
-# from nearby and what came through; the paper's kernels; an object that swells into its bounding sphere.
+# from nearby and what came through; the paper's kernels with the histograms of what they make; an object that swells into its bounding sphere.
 run render examples/candle.glb -o "$out/candle.png" --size 768x768 --background black
 run render examples/head.glb --translucency 'head=marble' -o "$out/head_marble.png" --size 768x768 --background black
 run render examples/head.glb -o "$out/head_opaque.png" --size 768x768 --background black
 run render examples/head.glb --translucency 'head=skin1' --attributes translucency,localscattering,globalscattering \
   -o "$out/head_parts.exr" --size 768x768
 for kernel in 3 4 5 6; do
-  run render examples/head.glb --translucency 'head=marble' --scattering paper --paper-kernel "$kernel" \
-    -o "$out/head_paper_$kernel.png" --size 768x768 --background black
+  run render filter/histogram examples/head.glb --translucency 'head=marble' --scattering paper \
+    --paper-kernel "$kernel" -o "$out/head_paper_$kernel.png" --size 768x768
 done
 for t in 0 0.25 0.5 0.75 1; do
   run render examples/head.glb --translucency 'head=albedo:.83,.79,.75;path:2' --morph-to-sphere "$t" \

@@ -32,14 +32,25 @@ std::string CacheKey(const ProgramText& text) {
   key += text.vertex;
   key += '\0';
   key += text.fragment;
-  if (text.geometry.empty()) return key;
-  key += '\0';
-  key += text.geometry;
+  for (const std::string_view stage : {text.geometry, text.compute}) {
+    if (stage.empty()) continue;
+    key += '\0';
+    key += stage;
+  }
   return key;
 }
 
 std::string_view StageName(GLenum stage) {
-  return stage == GL_VERTEX_SHADER ? "vertex" : stage == GL_GEOMETRY_SHADER ? "geometry" : "fragment";
+  switch (stage) {
+    case GL_VERTEX_SHADER:
+      return "vertex";
+    case GL_GEOMETRY_SHADER:
+      return "geometry";
+    case GL_COMPUTE_SHADER:
+      return "compute";
+    default:
+      return "fragment";
+  }
 }
 
 std::string_view SourceLine(std::string_view source, int number) {
@@ -106,7 +117,8 @@ Result<void> CompileAndLink(GLuint program, const ProgramText& text, std::string
   };
   for (const auto& [stage, source] : {std::pair<GLenum, std::string_view>(GL_VERTEX_SHADER, text.vertex),
                                       std::pair<GLenum, std::string_view>(GL_GEOMETRY_SHADER, text.geometry),
-                                      std::pair<GLenum, std::string_view>(GL_FRAGMENT_SHADER, text.fragment)}) {
+                                      std::pair<GLenum, std::string_view>(GL_FRAGMENT_SHADER, text.fragment),
+                                      std::pair<GLenum, std::string_view>(GL_COMPUTE_SHADER, text.compute)}) {
     if (source.empty()) continue;
     const Result<GLuint> shader = Compile(stage, source, label);
     if (!shader) {

@@ -14,12 +14,13 @@ namespace burin::gl {
 struct ProgramText {
   std::string_view vertex;
   std::string_view geometry;
-  std::string_view fragment;  ///< empty: depth and stencil only
+  std::string_view fragment;      ///< empty: depth and stencil only
+  std::string_view compute = {};  ///< alone
 };
 
-/// A linked vertex (+ geometry) + fragment program. Linked binaries are kept in $XDG_CACHE_HOME/burin/programs (or
-/// ~/.cache), keyed by a hash of the texts and the driver's identity; a stale or damaged entry is compiled anew.
-/// BURIN_NO_CACHE=1 turns it off.
+/// A linked vertex (+ geometry) + fragment program, or a compute program. Linked binaries are kept in
+/// $XDG_CACHE_HOME/burin/programs (or ~/.cache), keyed by a hash of the texts and the driver's identity; a stale or
+/// damaged entry is compiled anew. BURIN_NO_CACHE=1 turns it off.
 class Program {
  public:
   Program() = default;

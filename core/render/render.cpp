@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <optional>
 
@@ -28,6 +29,7 @@ struct Prepared {
   Plan plan;
   std::shared_ptr<const image::ColorTransform> transform;
   std::optional<image::Image> environment;
+  std::string warning;  ///< of the environment; may be empty
 };
 
 Result<Effects> CompileEffects(const Job& job, Progress& progress) {
@@ -88,6 +90,29 @@ Result<image::Image> ReadEnvironment(const std::string& path) {
   return image::ToChannels(rgba, 3);
 }
 
+/// What of an environment counts otherwise than it says (gbuffer::EnvironmentFromImage); empty: nothing.
+std::string DescribeOddTexels(const std::string& path, const image::Image& map) {
+  std::size_t infinite = 0;
+  std::size_t nan = 0;
+  std::size_t negative = 0;
+  for (const float value : map.As<float>()) {
+    if (std::isnan(value))
+      ++nan;
+    else if (std::isinf(value))
+      ++infinite;
+    else if (value < 0.0f)
+      ++negative;
+  }
+  std::string found;
+  const auto add = [&](std::size_t count, std::string_view what) {
+    if (count > 0) found += fmt::format("{}{} {}", found.empty() ? "" : ", ", count, what);
+  };
+  add(nan, "not a number (taken as 0)");
+  add(infinite, "infinite (taken as 65504)");
+  add(negative, "negative (taken as 0)");
+  return found.empty() ? found : fmt::format("{}: of its values {}", path, found);
+}
+
 Result<Prepared> Prepare(const Job& job, Output output, bool wants_tangents) {
   Prepared prepared;
   auto transform = MakeTransform(job.color);
@@ -103,6 +128,7 @@ Result<Prepared> Prepare(const Job& job, Output output, bool wants_tangents) {
     auto environment = ReadEnvironment(job.environment);
     if (!environment) return std::unexpected(environment.error());
     prepared.environment = *std::move(environment);
+    prepared.warning = DescribeOddTexels(job.environment, *prepared.environment);
   }
   if (auto good = CheckPlace(prepared.plan.output, job.make_folders); !good) return std::unexpected(good.error());
   return prepared;
@@ -165,6 +191,7 @@ Result<void> RenderFrames(const Job& job, Prepared& prepared, Effects effects, R
   if (!renderer) return std::unexpected(renderer.error());
   for (const std::string& choice : (*renderer)->choices()) progress.Info(choice);
   for (const std::string& warning : prepared.source->warnings()) progress.Warning(warning);
+  if (!prepared.warning.empty()) progress.Warning(prepared.warning);
   if (job.samples > 1 && source.kind != SourceKind::kScene) {
     progress.Warning(fmt::format("--samples {}: the source is no scene, so there is nothing to sample", job.samples));
   }

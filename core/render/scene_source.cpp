@@ -44,12 +44,14 @@ void OverTime(const scene::Scene& scene, const scene::AnimationSelection& animat
   const int samples = duration_s > 0.0 ? kBoundsSamples : 1;
   std::vector<scene::DrawItem> items;
   scene::ItemTessellator tessellator(scene, tessellation);
+  scene::SphereMorph to_sphere(morph);
   const float factor = CountPatches(scene) > kManyPatches ? kManyPatchesFactor : kBoundsFactor;
   for (int i = 0; i < samples; ++i) {
     const scene::Pose pose = scene::EvaluatePose(scene, animations, duration_s * i / samples);
     scene::UpdateDrawItems(scene, pose, pose, items, tessellator.is_active());
-    scene::MorphToSphere(scene, morph, items);
+    to_sphere.MoveVertices(scene, items);
     if (tessellator.is_active()) (void)tessellator.TessellateEvenly(factor, items);  // too many: the cage's bounds
+    to_sphere.MoveSurfaces(scene, items);
     see(items);
   }
 }
@@ -78,13 +80,13 @@ class SceneSource final : public Source {
         tessellator_(scene_, TessellationOf(job)),
         turntable_(job.turntable_frames),
         orbit_deg_(job.orbit_deg.value_or(0.0)),
-        morph_(job.morph_to_sphere),
+        to_sphere_(job.morph_to_sphere),
         size_(job.size.value_or(kDefaultSize)),
         rate_(job.fps.value_or(kDefaultRate)) {
     const double duration_s = scene::Duration(scene_, animations_);
     const bool turns = job.orbit_deg.has_value() || turntable_ > 0;
     camera_ = FrameWhole(scene_, animations_, TessellationOf(job), size_, orbit_deg_,
-                         camera_node == scene::kNone && !turns, morph_);
+                         camera_node == scene::kNone && !turns, job.morph_to_sphere);
     camera_.camera_node = camera_node;
     const std::optional<float>& factor = job.tessellation.factor;
     if (factor && *factor != *TessellationOf(job).factor) {
@@ -116,12 +118,13 @@ class SceneSource final : public Source {
     now->pose = scene::EvaluatePose(scene_, animations_, Time(number));
     const scene::Pose previous = scene::EvaluatePose(scene_, animations_, Time(number - 1));
     scene::UpdateDrawItems(scene_, now->pose, previous, now->items, tessellator_.is_active());
-    scene::MorphToSphere(scene_, morph_, now->items);
+    to_sphere_.MoveVertices(scene_, now->items);
     now->view = View(now->pose, number);
     now->previous_view = View(previous, number - 1);
     FillContext(*now);
     if (tessellator_.is_active()) {
       if (Result<void> done = Tessellate(*now, frame); !done) return std::unexpected(done.error());
+      to_sphere_.MoveSurfaces(scene_, now->items);
     }
     frame.scene = std::move(now);
     return true;
@@ -223,7 +226,7 @@ class SceneSource final : public Source {
   SourceInfo info_;
   long turntable_;
   double orbit_deg_;
-  float morph_;
+  scene::SphereMorph to_sphere_;
   std::pair<int, int> size_;
   video::FrameRate rate_;
 };

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "core/scene/item_geometry.h"
@@ -15,22 +16,12 @@ namespace {
 /// In the space of an item's vertices.
 class SphereMap {
  public:
-  explicit SphereMap(float amount) : amount_(amount) {}
-
-  void Include(const std::vector<glm::vec3>& positions) {
-    for (const glm::vec3& p : positions) {
-      low_ = glm::min(low_, p);
-      high_ = glm::max(high_, p);
-    }
-  }
-  void Reach(const std::vector<glm::vec3>& positions) {
-    for (const glm::vec3& p : positions) radius_ = std::max(radius_, glm::distance(p, center()));
-  }
+  SphereMap(float amount, const glm::vec3& center, float radius) : amount_(amount), center_(center), radius_(radius) {}
 
   [[nodiscard]] glm::vec3 Point(const glm::vec3& p) const {
-    const glm::vec3 d = p - center();
+    const glm::vec3 d = p - center_;
     const float length = glm::length(d);
-    return length > 0.0f ? glm::mix(p, center() + d * (radius_ / length), amount_) : p;
+    return length > 0.0f ? glm::mix(p, center_ + d * (radius_ / length), amount_) : p;
   }
 
   /// The derivative stretches by 1 - amount in the direction from the centre and by Across() about it. It takes
@@ -43,13 +34,12 @@ class SphereMap {
   }
 
  private:
-  [[nodiscard]] glm::vec3 center() const { return 0.5f * (low_ + high_); }
   [[nodiscard]] float Across(float length) const { return 1.0f - amount_ + amount_ * radius_ / length; }
 
   /// `factors`: along the direction from the centre and across it. The result is of unit length.
   template <class Factors>
   [[nodiscard]] glm::vec3 Stretch(const glm::vec3& p, const glm::vec3& v, const Factors& factors) const {
-    const glm::vec3 d = p - center();
+    const glm::vec3 d = p - center_;
     const float length = glm::length(d);
     if (!(length > 0.0f)) return v;
     const glm::vec3 outwards = d / length;
@@ -60,11 +50,21 @@ class SphereMap {
   }
 
   float amount_;
-  glm::vec3 low_{1e30f}, high_{-1e30f};
-  float radius_ = 0.0f;
+  glm::vec3 center_;
+  float radius_;
 };
 
-void Apply(const SphereMap& map, const Primitive& primitive, DrawItem& item) {
+/// Normals and tangents first: they ask where their vertex was.
+void Move(const SphereMap& map, std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals,
+          std::vector<glm::vec4>& tangents) {
+  for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = map.Normal(positions[i], normals[i]);
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    tangents[i] = glm::vec4(map.Tangent(positions[i], glm::vec3(tangents[i])), tangents[i].w);
+  }
+  for (glm::vec3& p : positions) p = map.Point(p);
+}
+
+void MoveItem(const SphereMap& map, const Primitive& primitive, DrawItem& item) {
   DeformedVertices& v = item.deformed;
   if (!item.is_deformed) {
     v.positions = v.previous_positions = primitive.positions;
@@ -72,28 +72,58 @@ void Apply(const SphereMap& map, const Primitive& primitive, DrawItem& item) {
     v.tangents = primitive.tangents;
     item.is_deformed = true;
   }
-  for (std::size_t i = 0; i < v.normals.size(); ++i) v.normals[i] = map.Normal(v.positions[i], v.normals[i]);
-  for (std::size_t i = 0; i < v.tangents.size(); ++i) {
-    v.tangents[i] = glm::vec4(map.Tangent(v.positions[i], glm::vec3(v.tangents[i])), v.tangents[i].w);
-  }
-  for (glm::vec3& p : v.positions) p = map.Point(p);
+  Move(map, v.positions, v.normals, v.tangents);
   for (glm::vec3& p : v.previous_positions) p = map.Point(p);
+}
+
+const std::vector<glm::vec3>& PositionsOf(const Scene& scene, const DrawItem& item) {
+  return item.is_deformed ? item.deformed.positions : PrimitiveOf(scene, item).positions;
 }
 
 }  // namespace
 
-void MorphToSphere(const Scene& scene, float amount, std::vector<DrawItem>& items) {
-  if (!(amount > 0.0f)) return;
-  const auto positions_of = [&](const DrawItem& item) -> const std::vector<glm::vec3>& {
-    return item.is_deformed ? item.deformed.positions : PrimitiveOf(scene, item).positions;
-  };
-  std::map<int, SphereMap> of_node;
-  for (const DrawItem& item : items) of_node.try_emplace(item.node, amount).first->second.Include(positions_of(item));
-  for (const DrawItem& item : items) of_node.at(item.node).Reach(positions_of(item));
+void SphereMorph::MoveVertices(const Scene& scene, std::vector<DrawItem>& items) {
+  if (!(amount_ > 0.0f)) return;
+  std::map<int, Bounds> bounds;
+  for (const DrawItem& item : items) {
+    Bounds& of_node = bounds[item.node];
+    for (const glm::vec3& p : PositionsOf(scene, item)) of_node.Extend({p, p});
+  }
+  of_node_.clear();
+  for (const auto& [node, box] : bounds) of_node_[node] = {0.5f * (box.min + box.max), 0.0f};
+  for (const DrawItem& item : items) {
+    Sphere& sphere = of_node_[item.node];
+    for (const glm::vec3& p : PositionsOf(scene, item)) {
+      sphere.radius = std::max(sphere.radius, glm::distance(p, sphere.center));
+    }
+  }
   for (DrawItem& item : items) {
     const Primitive& primitive = PrimitiveOf(scene, item);
-    if (primitive.mode == PrimitiveMode::kTriangles) Apply(of_node.at(item.node), primitive, item);
+    const Sphere& sphere = of_node_[item.node];
+    if (primitive.mode != PrimitiveMode::kTriangles) continue;
+    MoveItem(SphereMap(amount_, sphere.center, sphere.radius), primitive, item);
   }
+}
+
+void SphereMorph::MoveSurfaces(const Scene& scene, std::vector<DrawItem>& items) {
+  if (!(amount_ > 0.0f)) return;
+  for (DrawItem& item : items) {
+    if (!item.surface || !PrimitiveOf(scene, item).patches) continue;
+    Moved& moved = surfaces_[{item.node, item.primitive}];
+    if (moved.from != item.surface) {
+      const Sphere& sphere = of_node_[item.node];
+      const auto surface = std::make_shared<ItemSurface>(*item.surface);
+      Move(SphereMap(amount_, sphere.center, sphere.radius), surface->triangles.positions, surface->triangles.normals,
+           surface->triangles.tangents);
+      surface->previous_positions.clear();
+      moved = {item.surface, surface};
+    }
+    item.surface = moved.to;
+  }
+}
+
+void MorphToSphere(const Scene& scene, float amount, std::vector<DrawItem>& items) {
+  SphereMorph(amount).MoveVertices(scene, items);
 }
 
 }  // namespace burin::scene

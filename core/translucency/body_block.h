@@ -17,6 +17,7 @@
 namespace burin::translucency {
 
 enum UniformBinding : unsigned { kBodyBinding = 3, kShadowBinding = 4 };
+enum StorageBinding : unsigned { kWantedBinding = 2 };  ///< beyond those of core/gbuffer
 
 /// Texture units beyond those of core/gbuffer.
 enum TextureUnit : unsigned {
@@ -26,6 +27,7 @@ enum TextureUnit : unsigned {
   kShadowUnit = 10,
   kFaceDepthUnit = 11,
   kDipoleUnit = 12,
+  kFaceDeepestUnit = 13,
 };
 
 /// The pyramid's highest level has 4 x 4 texels a face; two levels above it one stands for the whole face.

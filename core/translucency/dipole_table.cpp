@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/translucency/dipole_table.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -22,12 +23,23 @@ double Laplacian(const Dipole& dipole, double distance2) {
   return dipole.alpha / (4.0 * glm::pi<double>()) * sum;
 }
 
+// The float's bits from `lowest` on, rounded to the nearest.
+std::uint32_t UpperBits(double value, unsigned lowest) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return (bits + (1u << (lowest - 1))) >> lowest;
+}
+
+std::uint32_t Packed(double reflectance, double laplacian) {
+  constexpr unsigned kUnsigned = 15;  // of 31 bits, the upper 16
+  constexpr unsigned kSigned = 16;
+  return UpperBits(reflectance, kUnsigned) << 16 | UpperBits(laplacian, kSigned);
+}
+
 }  // namespace
 
 DipoleTable MakeDipoleTable(const std::array<Dipole, 3>& dipoles, double least_mm) {
   DipoleTable table;
   table.texels.resize(static_cast<std::size_t>(DipoleTable::kWidth) * DipoleTable::kHeight);
-  const std::size_t laplacians = table.texels.size() / 2;
   for (int octave = 0; octave < DipoleTable::kOctaves; ++octave) {
     for (int step = 0; step < DipoleTable::kPerOctave; ++step) {
       const double fraction = 1.0 + (step + 0.5) / DipoleTable::kPerOctave;
@@ -35,8 +47,7 @@ DipoleTable MakeDipoleTable(const std::array<Dipole, 3>& dipoles, double least_m
       const auto i = static_cast<std::size_t>(octave) * DipoleTable::kPerOctave + static_cast<std::size_t>(step);
       for (int c = 0; c < 3; ++c) {
         const Dipole& dipole = dipoles[static_cast<std::size_t>(c)];
-        table.texels[i][c] = static_cast<float>(dipole.Reflectance(std::sqrt(distance2)));
-        table.texels[laplacians + i][c] = static_cast<float>(Laplacian(dipole, distance2) / 24.0);
+        table.texels[i][c] = Packed(dipole.Reflectance(std::sqrt(distance2)), Laplacian(dipole, distance2) / 24.0);
       }
     }
   }

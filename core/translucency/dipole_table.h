@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace burin::translucency {
 
 /// The dipole at squared distances, for shaders. An entry is found by the bits of the squared distance as a 32-bit
 /// float, shifted: octaves of kPerOctave even steps, so that an entry is within 0.2 % of the squared distance that it
-/// is asked for.
+/// is asked for. Each is one texel of three words, a channel each: R_d in the upper half, its Laplacian over 24 in the
+/// lower, both as the upper bits of a 32-bit float (R_d without the sign), rounded to 9 and 8 significant bits.
 struct DipoleTable {
   static constexpr int kPerOctave = 256;
   static constexpr int kOctaves = 40;
@@ -19,9 +21,9 @@ struct DipoleTable {
   /// it is as at its ends.
   static constexpr int kFirstExponent = -12;
   static constexpr int kWidth = kPerOctave;
-  static constexpr int kHeight = 2 * kOctaves;
+  static constexpr int kHeight = kOctaves;
 
-  std::vector<glm::vec4> texels;  ///< kWidth * kHeight: R_d first, then its Laplacians over 24
+  std::vector<glm::uvec4> texels;  ///< kWidth * kHeight; w: 0
 };
 
 /// `least_mm`: the shortest mean free path.

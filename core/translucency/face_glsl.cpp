@@ -25,11 +25,20 @@ void main() {
 constexpr std::string_view kTriangle = R"(
 layout(triangles) in;
 invariant gl_Position;
+const float SNAP = 1.0 / 64.0;   // texels: what the rasterizer may move a corner by, and more
 vec3 NormalOf(vec3 a, vec3 b, vec3 c) { return cross((b - a) * box_mm.xyz, (c - a) * box_mm.xyz) * normal_columns[0].w; }
 vec4 FaceClip(vec3 unit, int axis, bool is_positive) {
   vec3 r = FaceAxes(unit, axis);
   return vec4(2.0 * r.x - 1.0, 1.0 - 2.0 * r.y, is_positive ? 1.0 - r.z : r.z, 1.0);
 }
+// Texels: least and most of the triangle's corners on an axis' faces.
+vec4 Extent(vec3 a, vec3 b, vec3 c, int axis) {
+  vec2 texels = vec2(FaceAxes(box_texels.xyz, axis).xy);
+  vec2 p = FaceAxes(a, axis).xy, q = FaceAxes(b, axis).xy, r = FaceAxes(c, axis).xy;
+  return vec4(min(p, min(q, r)) * texels, max(p, max(q, r)) * texels);
+}
+// Whether a texel's centre lies within: a dense mesh has more triangles than its faces have texels.
+bool MayShow(vec4 extent) { return all(lessThanEqual(ceil(extent.xy - (0.5 + SNAP)), floor(extent.zw - (0.5 - SNAP)))); }
 )";
 
 constexpr std::string_view kDepthBody = R"(
@@ -41,7 +50,7 @@ void main() {
   float least = REACH * max(m.x, max(m.y, m.z));
   if (!(least > 0.0)) return;
   for (int axis = 0; axis < 3; ++axis) {
-    if (m[axis] < least) continue;
+    if (m[axis] < least || !MayShow(Extent(v_unit[0], v_unit[1], v_unit[2], axis))) continue;
     bool is_positive = n[axis] > 0.0;
     for (int i = 0; i < 3; ++i) {
       gl_ViewportIndex = 2 * axis + (is_positive ? 0 : 1);
@@ -78,6 +87,27 @@ void main() {
 }
 )";
 
+// How squarely a point with this normal looks towards each axis' face on its triangle's side, of those that the
+// triangle is drawn on; and which share of its light is on each. Normals that turn from triangle to triangle make
+// shares that do so too, or else what the samples of two faces miss and count twice along each edge would flicker.
+// `plane`: the triangle's normal over its largest component.
+constexpr std::string_view kShares = R"(
+int Squarest(vec3 plane) {
+  vec3 m = abs(plane);
+  return m.x >= max(m.y, m.z) ? 0 : m.y >= m.z ? 1 : 2;
+}
+vec3 Squareness(vec3 normal, vec3 plane) {
+  return max(normal * sign(plane), vec3(0.0)) * vec3(greaterThanEqual(abs(plane), vec3(REACH)));
+}
+float Share(vec3 normal, vec3 plane, int axis) {
+  vec3 s = Squareness(normal, plane);
+  float top = max(s.x, max(s.y, s.z));
+  s = max(s - SHARING * top, vec3(0.0));
+  s *= s;
+  return top > 0.0 ? s[axis] / (s.x + s.y + s.z) : float(axis == Squarest(plane));
+}
+)";
+
 // A triangle goes to the second row too where one of its corners lies behind what its face shows, or where it is so
 // large that something may hide its middle alone; each fragment then keeps to one row.
 constexpr std::string_view kSourceBody = R"(
@@ -96,9 +126,10 @@ layout(location = 3) out vec4 v_color;
 layout(location = 4) out vec2 v_texcoord0;
 layout(location = 5) out vec2 v_texcoord1;
 layout(location = 8) flat out vec4 v_face;   // face, row, area of a texel's piece of surface in texel's areas, axis
+layout(location = 9) flat out vec3 v_plane;
 const float LARGE = 6.0;                     // texels
 
-void EmitTriangle(int axis, int face, int row, float area) {
+void EmitTriangle(int axis, int face, int row, float area, vec3 plane) {
   for (int i = 0; i < 3; ++i) {
     v_position = g_position[i];
     v_normal = g_normal[i];
@@ -107,6 +138,7 @@ void EmitTriangle(int axis, int face, int row, float area) {
     v_texcoord0 = g_texcoord0[i];
     v_texcoord1 = g_texcoord1[i];
     v_face = vec4(float(face), float(row), area, float(axis));
+    v_plane = plane;
     gl_ViewportIndex = face + 6 * row;
     gl_Position = FaceClip(g_unit[i], axis, (face & 1) == 0);
     EmitVertex();
@@ -114,21 +146,29 @@ void EmitTriangle(int axis, int face, int row, float area) {
   EndPrimitive();
 }
 
-bool MayHide(int axis, int face) {
+// Share() is 0 at all of a triangle if another axis has it all at every corner, and then in between.
+bool HasShare(int axis, vec3 plane) {
+  if (abs(plane[axis]) < REACH) return false;
+  if (IS_WHOLE == 1 || axis == Squarest(plane)) return true;
+  vec3 first = Squareness(g_normal[0], plane), second = Squareness(g_normal[1], plane), third = Squareness(g_normal[2], plane);
+  bvec3 all_others = lessThanEqual(vec3(first[axis]), SHARING * first);
+  all_others = bvec3(uvec3(all_others) & uvec3(lessThanEqual(vec3(second[axis]), SHARING * second)));
+  all_others = bvec3(uvec3(all_others) & uvec3(lessThanEqual(vec3(third[axis]), SHARING * third)));
+  return !any(all_others);
+}
+
+bool MayHide(int axis, int face, vec4 extent) {
   vec3 texels = FaceAxes(vec3(box_texels.xyz), axis);
   float depth_slack = 1.0 / min(texels.x, texels.y);
-  vec2 low = vec2(1e9), high = vec2(-1e9);
   bool is_behind = false;
   for (int i = 0; i < 3; ++i) {
     vec3 r = FaceAxes(g_unit[i], axis);
     vec2 at = r.xy * texels.xy;
-    low = min(low, at);
-    high = max(high, at);
     float depth = (face & 1) == 0 ? 1.0 - r.z : r.z;
     ivec2 texel = clamp(ivec2(at), ivec2(0), ivec2(texels.xy) - 1) + ivec2(face * box_texels.w, 0);
     is_behind = is_behind || depth > texelFetch(face_depth, texel, 0).r + depth_slack;
   }
-  return is_behind || max(high.x - low.x, high.y - low.y) > LARGE;
+  return is_behind || max(extent.z - extent.x, extent.w - extent.y) > LARGE;
 }
 
 void main() {
@@ -136,35 +176,38 @@ void main() {
   vec3 m = abs(n);
   float most = max(m.x, max(m.y, m.z));
   if (!(most > 0.0)) return;
-  vec3 shares = max(m - SHARING * most, vec3(0.0));
-  shares *= shares;
-  shares /= shares.x + shares.y + shares.z;
+  vec3 plane = n / most;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(shares[axis] > 0.0)) continue;
+    vec4 extent = Extent(g_unit[0], g_unit[1], g_unit[2], axis);
+    if (!MayShow(extent) || !HasShare(axis, plane)) continue;
     int face = 2 * axis + (n[axis] > 0.0 ? 0 : 1);
-    float area = length(n) / m[axis] * (IS_WHOLE ? 1.0 : shares[axis]);
-    EmitTriangle(axis, face, 0, area);
-    if (!IS_WHOLE && MayHide(axis, face)) EmitTriangle(axis, face, 1, area);
+    float area = length(n) / m[axis];
+    EmitTriangle(axis, face, 0, area, plane);
+    if (IS_WHOLE == 0 && MayHide(axis, face, extent)) EmitTriangle(axis, face, 1, area, plane);
   }
 }
 )";
 
 constexpr std::string_view kSourceFragment = R"(
 layout(location = 8) flat in vec4 v_face;
+layout(location = 9) flat in vec3 v_plane;
 layout(location = 0) out vec4 out_light;
 layout(location = 1) out vec4 out_place;
 const float SAME = 2e-5;   // of the box: the two passes rasterize in different viewports
 const float DARK = 1e-6;   // weight of unlit surface, so that it has a place
 
 void main() {
+#if !IS_WHOLE
   ivec2 texel = ivec2(gl_FragCoord.xy) - ivec2(0, int(v_face.y) * box_texels.w);
   bool is_hidden = gl_FragCoord.z > texelFetch(face_depth, texel, 0).r + SAME;
   if (is_hidden != (v_face.y > 0.5)) discard;
+#endif
   Surface s = GetSurface();
   vec3 entering = EnteringLight(s.position, s.normal, Unit(v_normal)) * ScatterTint(s);
-  vec3 light = entering * (v_face.z / virtual_mm.w);
-  float weight = DARK + light.r + light.g + light.b;
-  out_light = vec4(light, v_face.z);
+  float area = v_face.z * (IS_WHOLE == 1 ? 1.0 : Share(Unit(v_normal), v_plane, int(v_face.w)));
+  vec3 light = entering * (area / virtual_mm.w);
+  float weight = DARK * area + light.r + light.g + light.b;
+  out_light = vec4(light, area);
   out_place = vec4(UnitOf(v_position) * weight, weight);
 }
 )";
@@ -180,28 +223,32 @@ std::string FaceDepthDeclaration() {
   return fmt::format("layout(binding = {}) uniform sampler2D face_depth;\n", static_cast<unsigned>(kFaceDepthUnit));
 }
 
+std::string Shares(bool is_paper) {
+  return fmt::format("const float REACH = {:.4f};\nconst float SHARING = {:.4f};\n#define IS_WHOLE {}\n",
+                     is_paper ? kPaperReach : kFaceReach, kSharing, is_paper ? 1 : 0) +
+         std::string(kShares);
+}
+
 }  // namespace
 
 std::string FaceDepthVertexText() { return Begin() + std::string(kDepthVertex); }
 
-std::string FaceDepthGeometryText(bool is_paper) {
-  return Begin() + fmt::format("const float REACH = {:.4f};\n", is_paper ? kPaperReach : kFaceReach) +
-         std::string(kTriangle) + std::string(kDepthBody);
+std::string FaceDepthGeometryText() {
+  return Begin() + fmt::format("const float REACH = {:.4f};\n", kFaceReach) + std::string(kTriangle) +
+         std::string(kDepthBody);
 }
 
 std::string SourceVertexText() { return Begin() + std::string(kSourceVertex); }
 
 std::string SourceGeometryText(bool is_paper) {
-  return Begin() +
-         fmt::format("const float SHARING = {:.4f};\nconst bool IS_WHOLE = {};\n", is_paper ? kPaperReach : kSharing,
-                     is_paper) +
-         FaceDepthDeclaration() + std::string(kTriangle) + std::string(kSourceBody);
+  return Begin() + Shares(is_paper) + FaceDepthDeclaration() + std::string(kTriangle) + std::string(kSourceBody);
 }
 
-std::string SourceFragmentText(std::uint32_t features) {
+std::string SourceFragmentText(const Quality& quality, std::uint32_t features, int fixed_lights) {
   std::string text = gbuffer::SurfaceText(features | gbuffer::kIsFaceMap);
   text += BodyDeclarations();
-  text += IrradianceFunctions();
+  text += IrradianceFunctions(quality, fixed_lights);
+  text += Shares(quality.is_paper());
   text += FaceDepthDeclaration();
   text += kSourceFragment;
   return text;

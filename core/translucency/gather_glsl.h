@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Gathering radiosity from a body's sources, and looking it up on its faces.
+// Gathering radiosity from a body's sources.
 //
 // Sources form a pyramid: each texel of a level sums four of the level below. All levels lie in one texture, level k
 // below level k - 1, so that a tap costs one fetch of 16 bytes:
@@ -19,16 +19,15 @@
 
 namespace burin::translucency {
 
-/// Packs the source pass's two textures, and sums levels.
-[[nodiscard]] std::string PyramidBaseFragmentText();
+/// Packs the source pass's two textures into a level, 0 or 1, and sums the levels above it.
+[[nodiscard]] std::string PyramidBaseFragmentText(int level);
 [[nodiscard]] std::string PyramidLevelFragmentText();
 
-/// Radiosity of the faces' texels.
-[[nodiscard]] std::string ReceiverFragmentText(const Quality& quality, bool has_parts);
+/// GLSL: the pyramid's texture, `Source Unpack(uvec4 texel)` and `int LevelTop(int level)`.
+[[nodiscard]] std::string PyramidFunctions();
 
-/// After BodyDeclarations(), PARTS 0 or 1:
-///   void Radiosity(vec3 world, vec3 g, out vec3 all, out vec3 near)
-[[nodiscard]] std::string LookUpFunctions();
+/// GLSL after PyramidFunctions(), PARTS 0 or 1: `Sum Gather(vec3 unit, int face, bool is_asked)`.
+[[nodiscard]] std::string GatherFunctions(const Quality& quality);
 
 /// Covers the viewport.
 [[nodiscard]] std::string CoveringVertexText();

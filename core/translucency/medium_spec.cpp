@@ -102,16 +102,19 @@ Result<Medium> Build(const Values& values, std::string_view text) {
     return Fail(ErrorKind::kUsage, fmt::format("ior: {} is out of range; expected 1 to 4", ior));
   }
   constexpr float kMost = 1e6f;
-  const auto refuse = [](std::string_view key, std::string_view expected) {
-    return Fail(ErrorKind::kUsage, fmt::format("{}: out of range; expected {}", key, expected));
+  const auto refuse = [](std::string_view key, const glm::vec3& found, std::string_view expected) {
+    return Fail(ErrorKind::kUsage, fmt::format("{}: {:g},{:g},{:g} is out of range; expected {}", key, found.x, found.y,
+                                               found.z, expected));
   };
   if (is_artistic) {
-    if (!AllWithin(*values.albedo, 0.0f, 1.0f)) return refuse("albedo", "0 to 1");
-    if (!AllWithin(*values.path, 1e-6f, kMost)) return refuse("path", "millimetres above 0");
+    if (!AllWithin(*values.albedo, 0.0f, 1.0f)) return refuse("albedo", *values.albedo, "0 to 1");
+    if (!AllWithin(*values.path, 1e-6f, kMost)) return refuse("path", *values.path, "0.000001 to 1000000 millimetres");
     return MediumFromAlbedo(*values.albedo, *values.path, ior);
   }
-  if (!AllWithin(*values.scattering, 0.0f, kMost)) return refuse("scattering", "0 or more, per millimetre");
-  if (!AllWithin(*values.absorption, 0.0f, kMost)) return refuse("absorption", "0 or more, per millimetre");
+  if (!AllWithin(*values.scattering, 0.0f, kMost))
+    return refuse("scattering", *values.scattering, "0 to 1000000 per millimetre");
+  if (!AllWithin(*values.absorption, 0.0f, kMost))
+    return refuse("absorption", *values.absorption, "0 to 1000000 per millimetre");
   Medium medium;
   medium.reduced_scattering = *values.scattering;
   medium.absorption = *values.absorption;
@@ -165,6 +168,11 @@ std::string CheckScale(const Medium& medium, double object_mm, double texel_mm, 
   const double most = static_cast<double>(std::max({extinction.x, extinction.y, extinction.z}));
   const double least = static_cast<double>(std::min({extinction.x, extinction.y, extinction.z}));
   if (!(most > 0.0)) return {};
+  constexpr double kNothing = 1e-12;  // mm
+  if (object_mm < kNothing) {
+    return fmt::format("medium \"{}\": an object of it has all its vertices in one place, so nothing scatters",
+                       medium.name);
+  }
   if (1.0 / least < texel_mm) {
     return fmt::format(
         "medium \"{}\": its longest mean free path is {:.3g} mm, below a texel of {:.3g} mm in an object of {:.3g} mm, "

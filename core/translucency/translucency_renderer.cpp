@@ -13,9 +13,9 @@
 #include "core/gl/buffer.h"
 #include "core/translucency/body_passes.h"
 #include "core/translucency/dipole_table.h"
-#include "core/translucency/gather_glsl.h"
 #include "core/translucency/irradiance_glsl.h"
 #include "core/translucency/pass_target.h"
+#include "core/translucency/receiver_glsl.h"
 
 namespace burin::translucency {
 namespace {
@@ -32,6 +32,7 @@ struct Body {
   gl::BufferHandle shadow_buffer = gl::CreateBuffer("translucent body's shadows");
   std::uint64_t shape_key = 0;
   std::uint64_t lighting_key = 0;
+  std::size_t map_bytes = 0;
   bool has_parts = false;
   bool is_known = false;  ///< the above is of some frame
 };
@@ -47,7 +48,7 @@ ShRadiance RadianceOf(const image::Image* environment) {
 
 Quality QualityFor(const TranslucencyOptions& options) {
   Quality quality = QualityOf(options.scattering);
-  if (quality.kernel > 0) quality.kernel = options.paper_kernel;
+  if (quality.is_paper()) quality.kernel = options.paper_kernel;
   return quality;
 }
 
@@ -72,7 +73,7 @@ class Renderer final : public TranslucencyRenderer {
           MakeDipoleTable(dipoles, std::min({dipoles[0].real_mm, dipoles[1].real_mm, dipoles[2].real_mm})));
       environments_.push_back(FoldIrradiance(radiance, static_cast<double>(medium.ior), false));
     }
-    shader_text_ = BodyDeclarations() + IrradianceFunctions() + LookUpFunctions();
+    shader_text_ = BodyDeclarations() + IrradianceFunctions(quality_) + LookUpFunctions();
   }
 
   [[nodiscard]] bool IsTranslucent(int material) const override {
@@ -89,6 +90,8 @@ class Renderer final : public TranslucencyRenderer {
   [[nodiscard]] std::vector<BodyItems> FindBodies(const TranslucencyInput& input) const;
   [[nodiscard]] Result<void> UpdateBody(const TranslucencyInput& input, const BodyItems& items,
                                         std::uint64_t lighting_key, Body& body);
+  [[nodiscard]] std::unexpected<Error> RefuseMaps(std::size_t bytes_each) const;
+  [[nodiscard]] Result<void> Reserve(Body& body, std::size_t bytes);
   [[nodiscard]] Result<void> BindTable(std::size_t medium);
   void Describe(const TranslucencyInput& input, const BodyItems& items, const Body& body);
 
@@ -96,6 +99,7 @@ class Renderer final : public TranslucencyRenderer {
   TranslucencyOptions options_;
   Quality quality_;
   BodyPasses passes_;
+  ShadowPass shadows_;
   std::vector<Medium> media_;
   std::vector<std::array<glm::vec3, kShTerms>> environments_;  ///< one a medium
   std::vector<DipoleTable> tables_;                            ///< one a medium
@@ -103,6 +107,8 @@ class Renderer final : public TranslucencyRenderer {
   std::vector<std::optional<std::size_t>> of_material_;
   std::map<std::pair<int, std::size_t>, Body> bodies_;  ///< by node and medium
   std::vector<const Body*> of_item_;
+  std::size_t body_count_ = 0;  ///< of the frame
+  std::size_t map_bytes_ = 0;   ///< of all bodies
   std::string shader_text_;
   std::vector<std::string> notes_;
   std::vector<std::string> warnings_;
@@ -110,17 +116,14 @@ class Renderer final : public TranslucencyRenderer {
 
 std::vector<BodyItems> Renderer::FindBodies(const TranslucencyInput& input) const {
   std::vector<BodyItems> bodies;
+  std::map<std::pair<int, std::size_t>, std::size_t> places;
   for (const gbuffer::PreparedDraw& draw : input.draws->opaque) {
     if ((draw.features & gbuffer::kIsTranslucent) == 0) continue;
     const int node = input.frame->items[draw.block].node;
     const std::size_t medium = *of_material_[static_cast<std::size_t>(draw.material)];
-    auto found =
-        std::ranges::find_if(bodies, [&](const BodyItems& body) { return body.node == node && body.medium == medium; });
-    if (found == bodies.end()) {
-      bodies.push_back({node, medium, {}});
-      found = bodies.end() - 1;
-    }
-    found->draws.push_back(&draw);
+    const auto [place, is_new] = places.try_emplace({node, medium}, bodies.size());
+    if (is_new) bodies.push_back({node, medium, {}});
+    bodies[place->second].draws.push_back(&draw);
   }
   return bodies;
 }
@@ -130,11 +133,35 @@ Result<void> Renderer::Update(const TranslucencyInput& input) {
   const std::vector<BodyItems> found = FindBodies(input);
   if (found.empty()) return {};
   const std::uint64_t lighting_key = LightingKey(input);
+  body_count_ = found.size();
+  // Lights beside an object take more.
+  const int shadow_maps = std::clamp(static_cast<int>(input.lights.size()), 1, kMaxShadowedLights);
+  const std::size_t least = BytesOfMaps(quality_, input.wants_parts, shadow_maps);
+  if (least > options_.most_map_bytes / body_count_) return RefuseMaps(least);
   for (const BodyItems& items : found) {
     Body& body = bodies_[{items.node, items.medium}];
     if (auto updated = UpdateBody(input, items, lighting_key, body); !updated) return updated;
     for (const gbuffer::PreparedDraw* draw : items.draws) of_item_[draw->block] = &body;
   }
+  return {};
+}
+
+std::unexpected<Error> Renderer::RefuseMaps(std::size_t bytes_each) const {
+  const auto mib = [](std::size_t count) { return static_cast<double>(count) / (1 << 20); };
+  std::string message = fmt::format(
+      "translucency: the maps of {} translucent objects, {:.0f} MiB each, need more than the limit of {:.0f} MiB",
+      body_count_, mib(bytes_each), mib(options_.most_map_bytes));
+  const std::size_t least = BytesOfMaps(QualityOf(Scattering::kFast), false, 1);
+  if (bytes_each > least) message += fmt::format("; with --scattering fast they are {:.0f} MiB or more", mib(least));
+  return Fail(ErrorKind::kFailed, message + "; surfaces of one node and medium are one object");
+}
+
+// Each object has maps of its own, and all of them are needed to shade one frame.
+Result<void> Renderer::Reserve(Body& body, std::size_t bytes) {
+  const std::size_t total = map_bytes_ - body.map_bytes + bytes;
+  if (total > options_.most_map_bytes) return RefuseMaps(bytes);
+  map_bytes_ = total;
+  body.map_bytes = bytes;
   return {};
 }
 
@@ -148,10 +175,12 @@ Result<void> Renderer::UpdateBody(const TranslucencyInput& input, const BodyItem
   const bool is_new = !body.is_known;
   body.is_known = false;
   const bool has_parts = body.has_parts || input.wants_parts;
+  const scene::Bounds bounds = shape.bounds.empty() ? scene::Bounds{glm::vec3(-0.5f), glm::vec3(0.5f)} : shape.bounds;
+  const int shadow_maps = std::max(CountShadowMaps(input.lights, SphereOf(bounds)), body.shadows.count);
+  if (auto fits = Reserve(body, BytesOfMaps(quality_, has_parts, shadow_maps)); !fits) return fits;
   if (auto ready = body.maps.Ensure(quality_, has_parts); !ready) return ready;
   std::array<glm::vec3, kShTerms> environment = environments_[items.medium];
   for (glm::vec3& term : environment) term *= input.environment_strength;
-  const scene::Bounds bounds = shape.bounds.empty() ? scene::Bounds{glm::vec3(-0.5f), glm::vec3(0.5f)} : shape.bounds;
   body.block =
       MakeBodyBlock(bounds, media_[items.medium], quality_, options_.unit_mm,
                     BrightestIrradiance(input.lights, bounds, environment), static_cast<int>(input.lights.size()));
@@ -161,18 +190,19 @@ Result<void> Renderer::UpdateBody(const TranslucencyInput& input, const BodyItem
 
   const std::uint32_t draw_blocks = input.draws->block_buffer;
   if (!is_same_light) {
+    const Casters casters{*input.draws, *input.materials};
     auto drawn =
-        body.shadows.Draw(input.lights, *input.draws, SphereOf(bounds), quality_.shadow_texels, body.shadow_block);
+        shadows_.Draw(input.lights, casters, SphereOf(bounds), quality_.shadow_texels, body.shadows, body.shadow_block);
     if (!drawn) return drawn;
     gl::StreamInto(body.shadow_buffer, &body.shadow_block, sizeof(body.shadow_block));
     glBindBufferBase(GL_UNIFORM_BUFFER, kShadowBinding, body.shadow_buffer.id());
-    body.shadows.Bind();
+    shadows_.Bind(body.shadows);
     if (!is_same_shape) {
       if (auto done = passes_.DrawDepth(items, body.block, draw_blocks, body.maps); !done) return done;
     }
-    auto done = passes_.DrawSources(items, body.block, draw_blocks, *input.materials, body.maps);
+    auto done = passes_.DrawSources(items, body.block, draw_blocks, body.shadow_block, *input.materials, body.maps);
     if (!done) return done;
-    if (auto built = passes_.BuildPyramid(body.maps); !built) return built;
+    if (auto built = passes_.BuildPyramid(body.block, body.maps); !built) return built;
   }
   if (auto bound = BindTable(items.medium); !bound) return bound;
   if (auto gathered = passes_.Gather(body.maps, has_parts); !gathered) return gathered;
@@ -188,11 +218,11 @@ Result<void> Renderer::BindTable(std::size_t medium) {
   table_textures_.resize(tables_.size());
   gl::Texture& texture = table_textures_[medium];
   if (!texture) {
-    Result<gl::Texture> made = CreateFloatTexture(DipoleTable::kWidth, DipoleTable::kHeight, "translucency: dipole");
+    Result<gl::Texture> made = CreateBitsTexture(DipoleTable::kWidth, DipoleTable::kHeight, "translucency: dipole");
     if (!made) return std::unexpected(made.error());
     texture = *std::move(made);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    glTextureSubImage2D(texture.id(), 0, 0, 0, texture.width(), texture.height(), GL_RGBA, GL_FLOAT,
+    glTextureSubImage2D(texture.id(), 0, 0, 0, texture.width(), texture.height(), GL_RGBA_INTEGER, GL_UNSIGNED_INT,
                         tables_[medium].texels.data());
   }
   BindForFetch(kDipoleUnit, texture);
@@ -227,7 +257,7 @@ void Renderer::Bind(std::size_t item) const {
   const Body& body = *of_item_[item];
   glBindBufferBase(GL_UNIFORM_BUFFER, kBodyBinding, body.block_buffer.id());
   glBindBufferBase(GL_UNIFORM_BUFFER, kShadowBinding, body.shadow_buffer.id());
-  body.shadows.Bind();
+  shadows_.Bind(body.shadows);
   BindForFetch(kReceiverUnit, body.maps.receivers);
   BindForFetch(kSourceUnit, body.maps.sources);
   if (body.maps.near_receivers) BindForFetch(kLocalUnit, body.maps.near_receivers);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """--translucency and what goes with it: every way of gathering, what is said, what is refused."""
+import struct
 import unittest
 
 from burin_cli import SOURCE, BurinTest, read_png
@@ -19,7 +20,7 @@ class Translucency(BurinTest):
         return (self.folder / name).read_bytes()
 
     def brightness(self):
-        rows, _, channels = read_png(self.folder / "a.png")
+        rows, channels, _ = read_png(self.folder / "a.png")
         return sum(sum(row[i:i + 3]) for row in rows for i in range(0, len(row), channels))
 
     def test_every_way_makes_a_picture_of_its_own_and_the_same_twice(self):
@@ -61,6 +62,32 @@ class Translucency(BurinTest):
         self.assertEqual(len({self.render("--morph-to-sphere", t) for t in ("0", "0.5", "1")}), 3)
         self.assertEqual(self.render("--morph-to-sphere", "0"), self.render())
 
+    def test_patches_scatter_and_swell_into_a_sphere_too(self):
+        jug = SOURCE / "examples" / "jug.bpt"
+        options = ("--translucency", "*=marble", "--unit-mm", "10", "--scattering", "fast")
+        opaque = self.render(source=jug)
+        translucent = self.render(*options, source=jug)
+        self.assertNotEqual(opaque, translucent)
+        swollen = {self.render(*options, "--morph-to-sphere", t, source=jug) for t in ("0", "0.5", "1")}
+        self.assertEqual(len(swollen), 3)
+        self.assertIn(translucent, swollen)
+        # A sphere's outline is as wide as it is high.
+        self.burin("render", jug, "-o", "a.png", *SIZE, "--morph-to-sphere", "1", "--edges", "off")
+        rows, channels, _ = read_png(self.folder / "a.png")
+        covered = [[row[i + 3] > 0 for i in range(0, len(row), channels)] for row in rows]
+        height = sum(any(row) for row in covered)
+        width = sum(any(row[x] for row in covered) for x in range(len(covered[0])))
+        self.assertAlmostEqual(width, height, delta=2)
+        self.assertGreater(width, 32)
+
+    def test_values_of_an_environment_that_are_no_light_are_counted(self):
+        values = [1.0] * (3 * 8 * 4)
+        values[5], values[20], values[21], values[30] = float("inf"), float("nan"), float("nan"), -5.0
+        (self.folder / "odd.pfm").write_bytes(b"PF\n8 4\n-1.0\n" + struct.pack(f"<{len(values)}f", *values))
+        result = self.burin("render", self.head, "-o", "a.png", *SIZE, "--environment", "odd.pfm")
+        self.assertIn("warning: odd.pfm: of its values 2 not a number (taken as 0), 1 infinite (taken as 65504), "
+                      "1 negative (taken as 0)", result.stderr)
+
     def test_what_is_likely_to_be_wrong_is_said(self):
         for options, message in (
                 (("--translucency", "Skin*=skin1"),
@@ -76,7 +103,7 @@ class Translucency(BurinTest):
                 (("--translucency", "head=jade"), '--translucency: "jade" is no medium; expected a measured material'),
                 (("--translucency", "head"), '--translucency: "head": expected GLOB=MEDIUM'),
                 (("--translucency", "head=scattering:-1;absorption:1"),
-                 "--translucency: scattering: out of range; expected 0 or more, per millimetre"),
+                 "--translucency: scattering: -1,-1,-1 is out of range; expected 0 to 1000000 per millimetre"),
                 (("--scattering", "slow"), "--scattering slow: expected one of paper|fast|full|high"),
                 (("--unit-mm", "0"), "--unit-mm: 0 is not between 1e-09 and 1000000000"),
                 (("--paper-kernel", "0"), "--paper-kernel"),

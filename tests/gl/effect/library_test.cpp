@@ -277,6 +277,27 @@ TEST(Library, GaussianOfZeroLeavesThePictureAlone) {
   EXPECT_EQ(bench.RunImage(image::SampleType::kU8).pixels, picture.pixels);
 }
 
+// Half of the picture is dark, a quarter bright, a quarter empty.
+TEST(Library, HistogramCountsWhatIsThere) {
+  constexpr int kColumns = 128;
+  constexpr int kRows = 64;
+  constexpr int kBin = 8;
+  Bench bench(CompileFile("effects/filter/histogram.fx"), kColumns, kRows, {{"Height", "1"}});
+  bench.Fill("color", MakeImage(kColumns, kRows, image::SampleType::kU8, [](int x, int y) {
+               if (x < kColumns / 2) return Rgba{0.1f, 0.1f, 0.1f, 1};
+               return Rgba{0.8f, 0.8f, 0.8f, y < kRows / 2 ? 1.0f : 0.0f};
+             }));
+  const PixelMap frame = bench.RunPixels();
+  for (int bin = 0; bin < kColumns / kBin; ++bin) {
+    int bar = 0;
+    for (int y = 0; y < kRows; ++y) {
+      const auto i = static_cast<std::size_t>(y * kColumns + bin * kBin + kBin / 2);
+      if (frame.pixels[i][0] < 0.5f) ++bar;
+    }
+    EXPECT_EQ(bar, bin == 1 ? kRows : bin == 12 ? kRows / 2 : 0) << "bin " << bin;
+  }
+}
+
 TEST(Library, ScreensKeepTheTone) {
   constexpr int kSize = 256;
   for (const char* technique : {"Lines", "Dots"}) {

@@ -115,9 +115,9 @@ TEST_F(TranslucencyTest, TurningObjectDoesNotFlicker) {
     ++count;
   }
   ASSERT_GT(count, 40);
-  // Rims are resolved to a texel, the lamp's terminator to one of its map: the worst pixel of all strays by less than 4
-  // % of the mean, where a window of 2 strays by 15 %.
-  EXPECT_LT(ours, reference + 0.04 * mean / count);
+  // Measured: the worst pixel of all strays by 0.4 % of the mean. Shares of faces that jump from triangle to triangle
+  // make that 2.7 %.
+  EXPECT_LT(ours, reference + 0.01 * mean / count);
 }
 
 }  // namespace

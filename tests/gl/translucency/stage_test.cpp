@@ -47,6 +47,7 @@ class StageTest : public TranslucencyTest {
     TranslucencyOptions options;
     options.unit_mm = 1.0;
     options.scattering = scattering;
+    options.most_map_bytes = most_map_bytes_;
     options.assignments = {Take(ParseAssignment(std::string("medium=") + medium))};
     stage_ = Take(TranslucencyRenderer::Create(scene_, &black, options));
     renderer_ = Take(gbuffer::SceneRenderer::Create(scene_, &black));
@@ -56,6 +57,16 @@ class StageTest : public TranslucencyTest {
     return std::move(DrawAll({attribute}, eye).front());
   }
   std::vector<image::Image> DrawAll(const std::vector<Attribute>& attributes, const glm::vec3& eye = {0, 0, 80}) {
+    std::vector<gl::Texture> targets;
+    const auto drawn = Try(attributes, eye, &targets);
+    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().message);
+    std::vector<image::Image> images;
+    for (const gl::Texture& target : targets) {
+      images.push_back(gl::Read(target, image::SampleType::kF32, 4, image::Encoding::kData));
+    }
+    return images;
+  }
+  Result<void> Try(const std::vector<Attribute>& attributes, const glm::vec3& eye, std::vector<gl::Texture>* drawn) {
     scene::View view;
     view.view_from_world = glm::lookAt(eye, glm::vec3(0.0f), glm::vec3(0.0f, 1.0f, 0.0f));
     view.clip_from_view = glm::perspectiveRH_ZO(0.6f, 1.0f, 5.0f, 500.0f);
@@ -73,13 +84,9 @@ class StageTest : public TranslucencyTest {
     const scene::Pose pose = scene::EvaluatePose(scene_, {}, 0.0);
     const std::vector<scene::DrawItem> items = scene::BuildDrawItems(scene_, pose, pose);
     gbuffer::FrameInput input{view, view, &pose, items, glm::vec4(0.0f), nullptr, stage_.get()};
-    const auto drawn = renderer_->Render(input, requests);
-    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().message);
-    std::vector<image::Image> images;
-    for (const gl::Texture& target : targets) {
-      images.push_back(gl::Read(target, image::SampleType::kF32, 4, image::Encoding::kData));
-    }
-    return images;
+    const auto result = renderer_->Render(input, requests);
+    if (drawn != nullptr) *drawn = std::move(targets);
+    return result;
   }
 
   static constexpr int kSize = 48;
@@ -96,6 +103,7 @@ class StageTest : public TranslucencyTest {
   }
 
   scene::Scene scene_;
+  std::size_t most_map_bytes_ = TranslucencyOptions().most_map_bytes;
   std::unique_ptr<TranslucencyRenderer> stage_;
   std::unique_ptr<gbuffer::SceneRenderer> renderer_;
 };
@@ -127,27 +135,95 @@ TEST_F(StageTest, EveryKindOfLightEnters) {
   }
 }
 
-TEST_F(StageTest, OtherObjectsThrowShadowsOnIt) {
-  AddMesh(Block({30, 30, 8}, 4), 0);
-  AddMesh(Block({10, 10, 1}, 1), scene::kNone, glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 40.0f)));
-  AddLamp({0, 0, 74});
-  Start("marble");
-  const image::Image light = Draw(Attribute::kIrradiance, {60, 0, 60});
-  const image::Image scattered = Draw(Attribute::kTranslucency, {60, 0, 60});
-  int dark = 0;
-  int dark_but_not_black = 0;
-  const image::Image ids = Draw(Attribute::kObjectId, {60, 0, 60});
-  const image::Image facing = Draw(Attribute::kNormal, {60, 0, 60});
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      const bool is_top = At(ids, x, y).x == 1.0f && At(facing, x, y).z > 0.9f;
-      if (!is_top || At(light, x, y).g > 0.0f) continue;
-      ++dark;
-      if (At(scattered, x, y).g > 0.0f) ++dark_but_not_black;
-    }
+/// A slab lit from above, and something between it and the lamp.
+class ShadowTest : public StageTest {
+ protected:
+  ShadowTest() {
+    AddMesh(Block({30, 30, 8}, 4), 0);
+    AddLamp({0, 0, 74});
+    scene_.materials.emplace_back();
+    caster_ = 1;
   }
-  EXPECT_GT(dark, 20);
-  EXPECT_EQ(dark, dark_but_not_black);
+  /// 10 mm wide and 34 mm below the lamp; counter-clockwise as seen from the lamp, or from the slab.
+  scene::Primitive& AddSheet(bool faces_lamp) {
+    Surface sheet;
+    const double side = faces_lamp ? 5.0 : -5.0;
+    sheet.positions = {{-side, -5, 0}, {side, -5, 0}, {side, 5, 0}, {-side, 5, 0}};
+    sheet.normals.assign(4, {0, 0, faces_lamp ? 1 : -1});
+    sheet.indices = {0, 1, 2, 0, 2, 3};
+    const int mesh = AddMesh(sheet, caster_, glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 40.0f)));
+    return scene_.meshes[static_cast<std::size_t>(mesh)].primitives[0];
+  }
+  scene::Material& caster() { return scene_.materials[static_cast<std::size_t>(caster_)]; }
+
+  struct Shadow {
+    int pixels = 0;
+    int that_scatter = 0;  ///< of those, what light reaches inside the slab
+  };
+  /// Of the slab's top, seen aslant from beside the sheet.
+  Shadow Find() {
+    Start("marble");
+    const std::vector<image::Image> pictures = DrawAll(
+        {Attribute::kIrradiance, Attribute::kTranslucency, Attribute::kObjectId, Attribute::kNormal}, {60, 0, 60});
+    Shadow shadow;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const bool is_top = At(pictures[2], x, y).x == 1.0f && At(pictures[3], x, y).z > 0.9f;
+        if (!is_top || At(pictures[0], x, y).g > 0.0f) continue;
+        ++shadow.pixels;
+        if (At(pictures[1], x, y).g > 0.0f) ++shadow.that_scatter;
+      }
+    }
+    return shadow;
+  }
+
+  int caster_ = scene::kNone;
+};
+
+TEST_F(ShadowTest, OtherObjectsThrowShadowsIntoWhichLightScatters) {
+  AddMesh(Block({10, 10, 1}, 1), scene::kNone, glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 40.0f)));
+  const Shadow shadow = Find();
+  EXPECT_GT(shadow.pixels, 20);
+  EXPECT_EQ(shadow.pixels, shadow.that_scatter);
+}
+
+TEST_F(ShadowTest, BacksOfOneSidedSurfacesThrowNone) {
+  AddSheet(true);
+  EXPECT_GT(Find().pixels, 20);
+  scene_.meshes.pop_back();
+  scene_.nodes.pop_back();
+  scene_.roots.pop_back();
+  AddSheet(false);
+  EXPECT_EQ(Find().pixels, 0);
+  caster().double_sided = true;
+  EXPECT_GT(Find().pixels, 20);
+}
+
+TEST_F(ShadowTest, MirroredSheetsKeepTheirFront) {
+  AddSheet(true);
+  scene_.nodes.back().matrix = *scene_.nodes.back().matrix * glm::scale(glm::mat4(1.0f), glm::vec3(-1.0f, 1.0f, 1.0f));
+  EXPECT_GT(Find().pixels, 20);
+}
+
+TEST_F(ShadowTest, MasksLetLightThrough) {
+  scene::Primitive& sheet = AddSheet(true);
+  const int whole = Find().pixels;
+  caster().base_color.a = 0.25f;
+  EXPECT_EQ(Find().pixels, whole);  // alpha means nothing to an opaque material
+  caster().alpha_mode = scene::AlphaMode::kMask;
+  EXPECT_EQ(Find().pixels, 0);
+  caster().base_color.a = 1.0f;
+  sheet.colors = {{1, 1, 1, 0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 0}};
+  EXPECT_NEAR(Find().pixels, 0.5 * whole, 0.15 * whole);
+  sheet.colors.clear();
+  sheet.texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  image::Image halves = image::MakeImage(2, 1, 4, image::SampleType::kU8, image::Encoding::kDisplay);
+  const std::array<std::uint8_t, 8> texels = {255, 255, 255, 0, 255, 255, 255, 255};
+  std::ranges::copy(texels, halves.As<std::uint8_t>().begin());
+  scene_.images.push_back(halves);
+  caster().base_color_texture.image = 0;
+  caster().base_color_texture.sampler.mag = caster().base_color_texture.sampler.min = scene::Filter::kNearest;
+  EXPECT_NEAR(Find().pixels, 0.5 * whole, 0.15 * whole);
 }
 
 // A lamp amid the object's box takes six maps.
@@ -290,6 +366,22 @@ TEST_F(StageTest, SaysHowFarLightGoesAndWhenTheUnitLooksWrong) {
   const std::vector<std::string> warnings = stage_->TakeWarnings();
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr("where diffusion no longer holds; is --unit-mm 1 right?"));
+}
+
+TEST_F(StageTest, ObjectsWhoseMapsDoNotFitAreRefused) {
+  for (int i = 0; i < 7; ++i) AddMesh(Ball(1.0, 4), 0);
+  AddLamp({0, 0, 74});
+  most_map_bytes_ = std::size_t{200} << 20;
+  Start("marble", Scattering::kFull);
+  const auto drawn = Try({Attribute::kColor}, {0, 0, 80}, nullptr);
+  ASSERT_FALSE(drawn);
+  EXPECT_EQ(drawn.error().kind, ErrorKind::kFailed);
+  EXPECT_EQ(drawn.error().message,
+            "translucency: the maps of 7 translucent objects, 34 MiB each, need more than the limit of 200 MiB; with "
+            "--scattering fast they are 12 MiB or more; surfaces of one node and medium are one object");
+  most_map_bytes_ = std::size_t{240} << 20;
+  Start("marble", Scattering::kFull);
+  EXPECT_TRUE(Try({Attribute::kColor}, {0, 0, 80}, nullptr));
 }
 
 TEST_F(StageTest, IsNotThereWithoutATranslucentMaterial) {

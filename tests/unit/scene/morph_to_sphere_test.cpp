@@ -5,6 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/item_geometry.h"
+#include "core/scene/item_tessellator.h"
+#include "core/scene/patch_primitive.h"
+
 namespace burin::scene {
 namespace {
 
@@ -69,6 +73,49 @@ TEST(MorphToSphere, NormalsFollowTheMap) {
 TEST(MorphToSphere, VelocitiesSeeTheSameMap) {
   const DeformedVertices moved = Items(Tetrahedron(), 0.5f)[0].deformed;
   EXPECT_EQ(moved.positions, moved.previous_positions);
+}
+
+/// One bilinear patch, from (-1, -1, 0) to (1, 1, 0), bent at one corner.
+Scene PatchScene() {
+  geometry::BezierPatches patches;
+  patches.positions = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}, {1, 1, 1, 1}};
+  geometry::BezierPatch patch;
+  patch.position = {.first = 0, .u_order = 2, .v_order = 2};
+  patches.patches.push_back(patch);
+  Scene scene;
+  scene.meshes.emplace_back();
+  scene.meshes[0].primitives.push_back(MakePatchPrimitive(std::move(patches), kNone));
+  scene.nodes.emplace_back();
+  scene.nodes[0].mesh = 0;
+  scene.roots = {0};
+  return scene;
+}
+
+// Patches have no vertices of their own before they are tessellated.
+TEST(MorphToSphere, SurfacesOfPatchesAreMovedAfterTessellation) {
+  const Scene scene = PatchScene();
+  ItemTessellator tessellator(scene, {.mode = TessellationMode::kInteger, .edge_length_px = {}, .factor = 4.0f});
+  SphereMorph morph(1.0f);
+  const Pose pose = EvaluatePose(scene, {}, 0.0);
+  std::vector<DrawItem> items;
+  std::shared_ptr<const ItemSurface> first;
+  for (int frame = 0; frame < 2; ++frame) {
+    UpdateDrawItems(scene, pose, pose, items, true);
+    morph.MoveVertices(scene, items);
+    ASSERT_TRUE(tessellator.TessellateEvenly(4.0f, items));
+    const std::vector<glm::vec3> before = items[0].surface->triangles.positions;
+    morph.MoveSurfaces(scene, items);
+    const tessellation::Surface& moved = items[0].surface->triangles;
+    ASSERT_EQ(moved.positions.size(), 25u);
+    EXPECT_NE(moved.positions, before);
+    for (std::size_t i = 0; i < moved.positions.size(); ++i) {
+      const glm::vec3 out = moved.positions[i] - glm::vec3(0.0f, 0.0f, 0.5f);
+      EXPECT_NEAR(glm::length(out), 1.5f, 1e-5f);
+      EXPECT_NEAR(std::abs(glm::dot(moved.normals[i], out)), 1.5f, 1e-4f);
+    }
+    if (frame == 0) first = items[0].surface;
+  }
+  EXPECT_EQ(items[0].surface, first);  // what stands still is moved once
 }
 
 }  // namespace

@@ -33,9 +33,12 @@ TEST(MediumSpec, ErrorsSayWhatWasFoundAndExpected) {
   EXPECT_EQ(ErrorOf("a=scattering:1,2;absorption:1"), "scattering: 2 numbers, expected one or three");
   EXPECT_EQ(ErrorOf("a=scattering:1,x,2;absorption:1"), "scattering: \"x\" is no number");
   EXPECT_EQ(ErrorOf("a=scattering:1;absorption:nan"), "absorption: \"nan\" is no number");
-  EXPECT_EQ(ErrorOf("a=scattering:1;absorption:-1"), "absorption: out of range; expected 0 or more, per millimetre");
-  EXPECT_EQ(ErrorOf("a=albedo:1.5;path:1"), "albedo: out of range; expected 0 to 1");
-  EXPECT_EQ(ErrorOf("a=albedo:.5;path:0"), "path: out of range; expected millimetres above 0");
+  EXPECT_EQ(ErrorOf("a=scattering:1;absorption:-1"),
+            "absorption: -1,-1,-1 is out of range; expected 0 to 1000000 per millimetre");
+  EXPECT_EQ(ErrorOf("a=scattering:1e9;absorption:1"),
+            "scattering: 1e+09,1e+09,1e+09 is out of range; expected 0 to 1000000 per millimetre");
+  EXPECT_EQ(ErrorOf("a=albedo:1.5;path:1"), "albedo: 1.5,1.5,1.5 is out of range; expected 0 to 1");
+  EXPECT_EQ(ErrorOf("a=albedo:.5;path:0"), "path: 0,0,0 is out of range; expected 0.000001 to 1000000 millimetres");
   EXPECT_EQ(ErrorOf("a=albedo:.5"), "\"albedo:.5\": expected scattering and absorption, or albedo and path");
   EXPECT_EQ(ErrorOf("a=albedo:.5;path:1;ior:9"), "ior: 9 is out of range; expected 1 to 4");
   EXPECT_EQ(ErrorOf("a=albedo:.5;albedo:.5"), "albedo: given twice in \"albedo:.5;albedo:.5\"");
@@ -62,6 +65,8 @@ TEST(MediumSpec, WarnsOfWrongUnits) {
   EXPECT_EQ(CheckScale(marble, 0.1, 0.0004, 1.0),
             "medium \"Marble\": its shortest mean free path is 0.333 mm, above the object's 0.1 mm, where diffusion no "
             "longer holds; is --unit-mm 1 right?");
+  EXPECT_EQ(CheckScale(marble, 4e-30, 1e-32, 1000.0),
+            "medium \"Marble\": an object of it has all its vertices in one place, so nothing scatters");
 }
 
 scene::Scene SceneOf(std::initializer_list<const char*> names) {
@@ -102,7 +107,8 @@ TEST(SceneMedia, NamesTheMaterialWhoseExtrasAreWrong) {
   EXPECT_EQ(media.error().kind, ErrorKind::kInput);
   EXPECT_EQ(
       media.error().message,
-      "a.gltf: materials[0] \"A\".extras.translucency: absorption: out of range; expected 0 or more, per millimetre");
+      "a.gltf: materials[0] \"A\".extras.translucency: absorption: -1,-1,-1 is out of range; expected 0 to 1000000 "
+      "per millimetre");
 }
 
 TEST(SceneMedia, DiffuseTransmissionInAVolumeIsAMedium) {
