@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "core/gbuffer/cube_face.h"
 #include "core/gbuffer/environment.h"
 #include "core/gl/debug.h"
 
@@ -18,24 +19,6 @@ namespace {
 
 constexpr int kFaces = 6;
 constexpr int kFaceSize = 128;
-
-// OpenGL 4.5 core, table 8.19. s and t in -1..1.
-glm::vec3 FaceDirection(int face, float s, float t) {
-  switch (face) {
-    case 0:
-      return {1.0f, -t, -s};
-    case 1:
-      return {-1.0f, -t, s};
-    case 2:
-      return {s, 1.0f, t};
-    case 3:
-      return {s, -1.0f, -t};
-    case 4:
-      return {s, -t, 1.0f};
-    default:
-      return {-s, -t, -1.0f};
-  }
-}
 
 std::uint8_t Encode(float linear) {
   const float c = std::clamp(linear, 0.0f, 1.0f);
@@ -48,8 +31,8 @@ std::vector<std::uint8_t> Texels(const EnvironmentMap& map) {
   const auto place = [](int i) { return 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(kFaceSize) - 1.0f; };
   tbb::parallel_for(0, kFaces * kFaceSize, [&](int row) {
     for (int column = 0; column < kFaceSize; ++column) {
-      const glm::vec3 light =
-          SampleEnvironment(map, glm::normalize(FaceDirection(row / kFaceSize, place(column), place(row % kFaceSize))));
+      const glm::vec3 light = SampleEnvironment(
+          map, glm::normalize(CubeFaceDirection(row / kFaceSize, place(column), place(row % kFaceSize))));
       std::uint8_t* texel = &texels[4 * static_cast<std::size_t>(row * kFaceSize + column)];
       for (int c = 0; c < 3; ++c) texel[c] = Encode(light[c]);
       texel[3] = 255;

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/gbuffer/cube_face.h"
 #include "core/gbuffer/environment.h"
 
 namespace burin::gbuffer {
@@ -29,24 +30,6 @@ struct Cube {
   }
 };
 
-// OpenGL 4.5 core, table 8.19. s and t in -1..1.
-glm::vec3 FaceDirection(int face, float s, float t) {
-  switch (face) {
-    case 0:
-      return {1.0f, -t, -s};
-    case 1:
-      return {-1.0f, -t, s};
-    case 2:
-      return {s, 1.0f, t};
-    case 3:
-      return {s, -1.0f, -t};
-    case 4:
-      return {s, -t, 1.0f};
-    default:
-      return {-s, -t, -1.0f};
-  }
-}
-
 template <class Function>  // of a unit direction
 Cube FillCube(int size, Function&& value) {
   Cube cube{.size = size, .texels = std::vector<glm::vec3>(static_cast<std::size_t>(6 * size * size))};
@@ -55,7 +38,7 @@ Cube FillCube(int size, Function&& value) {
     for (int column = 0; column < size; ++column) {
       const float s = 2.0f * (static_cast<float>(column) + 0.5f) / static_cast<float>(size) - 1.0f;
       cube.texels[static_cast<std::size_t>(row * size + column)] =
-          value(glm::normalize(FaceDirection(row / size, s, t)));
+          value(glm::normalize(CubeFaceDirection(row / size, s, t)));
     }
   });
   return cube;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/gbuffer/cube_face.h"
 #include "core/translucency/fresnel.h"
 
 namespace burin::translucency {
@@ -23,24 +24,6 @@ void Add(ShRadiance& sum, const glm::vec3& pixel, const glm::dvec3& direction, d
   }
   const std::array<double, kShTerms> basis = ShBasis(direction);
   for (std::size_t i = 0; i < kShTerms; ++i) sum[i] += light * basis[i];
-}
-
-// GL's cube map faces: table 8.19 of the OpenGL 4.5 specification, solved for the direction.
-glm::dvec3 CubeDirection(int face, double s, double t) {
-  switch (face) {
-    case 0:
-      return {1.0, -t, -s};
-    case 1:
-      return {-1.0, -t, s};
-    case 2:
-      return {s, 1.0, t};
-    case 3:
-      return {s, -1.0, -t};
-    case 4:
-      return {s, -t, 1.0};
-    default:
-      return {-s, -t, -1.0};
-  }
 }
 
 double Legendre(std::size_t band, double c) {
@@ -135,7 +118,8 @@ ShRadiance ProjectCube(std::span<const glm::vec3> pixels, int size) {
   for (int face = 0; face < 6; ++face) {
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x, ++i) {
-        const glm::dvec3 direction = CubeDirection(face, (2.0 * x + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0);
+        const glm::dvec3 direction =
+            gbuffer::CubeFaceDirection(face, (2.0 * x + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0);
         Add(sum, pixels[i], glm::normalize(direction), CubeTexelSolidAngle(x, y, size));
       }
     }
