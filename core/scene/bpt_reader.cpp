@@ -8,6 +8,7 @@
 
 #include "core/scene/bpt_file.h"
 #include "core/scene/mtl_file.h"
+#include "core/scene/patch_orientation.h"
 #include "core/scene/patch_primitive.h"
 #include "core/scene/text_lines.h"
 
@@ -19,6 +20,7 @@ Result<Scene> Read(const std::string& path, const ReadOptions& options) {
   if (!text) return std::unexpected(text.error());
   Result<geometry::BezierPatches> patches = ParseBpt(*text);
   if (!patches) return std::unexpected(patches.error());
+  TurnOutwards(*patches);
   Scene scene;
   scene.path = path;
   const std::filesystem::path file(path);
