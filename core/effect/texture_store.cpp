@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include "core/effect/cube_texture.h"
 #include "core/effect/srgb_view.h"
 #include "core/effect/target_format.h"
 #include "core/gl/framebuffer.h"
@@ -100,11 +101,12 @@ Result<void> TextureStore::AddFile(const fx::Effect& effect, std::size_t index, 
   };
   if (file.empty()) return is_given_by_host ? Result<void>() : stand_in("names no file");
   const bool is_default = !is_asked_for && IsDefaultFile(file);
-  if (declared.dimension != fx::Dimension::k2D && declared.dimension != fx::Dimension::kUnknown) {
-    if (is_default && is_given_by_host) return {};
-    return stand_in(fmt::format("is not two-dimensional, and '{}' is", file));
-  }
-  if (!options.load_texture) return stand_in("cannot be loaded here");
+  const bool is_cube = declared.dimension == fx::Dimension::kCube;
+  const bool is_flat = declared.dimension == fx::Dimension::k2D || declared.dimension == fx::Dimension::kUnknown;
+  const bool can_load = static_cast<bool>(options.load_texture) && (is_flat || is_cube);
+  if (!can_load && is_default && is_given_by_host) return {};
+  if (!is_flat && !is_cube) return stand_in(fmt::format("is not two-dimensional, and '{}' is", file));
+  if (!can_load) return stand_in("cannot be loaded here");
   auto image = options.load_texture(file);
   if (!image) {
     return Fail(image.error().kind,
@@ -119,6 +121,15 @@ Result<void> TextureStore::AddFile(const fx::Effect& effect, std::size_t index, 
                       : stand_in(fmt::format("names a file that is not there ({})", missing));
   }
   const image::Image& picture = **image;
+  if (is_cube) {
+    auto cube = CubeTextureOf(picture, fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
+    if (!cube) {
+      return Fail(cube.error().kind, fmt::format("texture '{}' of {}: {}: {}", declared.name, effect.path, file,
+                                                 cube.error().message));
+    }
+    slots_[index].other = std::move(*cube);
+    return {};
+  }
   auto texture = gl::Texture::Create(gl::FormatFor(picture), picture.width, picture.height,
                                      NeedsMipmaps(effect, index) ? 0 : 1,
                                      fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
@@ -146,7 +157,7 @@ std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) co
   const bool is_2d = sampler.dimension == fx::Dimension::k2D || sampler.dimension == fx::Dimension::kUnknown;
   if (!sampler.texture) return stand_ins_.Get(MeaningOf(sampler), sampler.dimension);
   const Slot& slot = slots_[*sampler.texture];
-  if (slot.procedural) return slot.procedural.id();
+  if (slot.other) return slot.other.id();
   if (is_2d && srgb && slot.srgb) return slot.srgb.id();
   if (is_2d && slot.texture) return slot.texture.id();
   return stand_ins_.Get(slot.meaning, sampler.dimension);
@@ -155,7 +166,7 @@ std::uint32_t TextureStore::ForSampler(const fx::Sampler& sampler, bool srgb) co
 std::optional<TextureMeaning> TextureStore::HostMeaning(const fx::Sampler& sampler) const {
   if (!sampler.texture) return MeaningOf(sampler);
   const Slot& slot = slots_[*sampler.texture];
-  if (!slot.is_file || slot.texture) return std::nullopt;
+  if (!slot.is_file || slot.texture || slot.other) return std::nullopt;
   return slot.meaning;
 }
 

@@ -47,7 +47,7 @@ class TextureStore {
   bool AddSrgbView(std::size_t index);
   [[nodiscard]] std::uint32_t srgb_view(std::size_t index) const;
   /// Of a texture that a function has filled.
-  void SetProcedural(std::size_t index, gl::TextureHandle texture) { slots_[index].procedural = std::move(texture); }
+  void SetProcedural(std::size_t index, gl::TextureHandle texture) { slots_[index].other = std::move(texture); }
   /// One for every size and, where a script has buffers of its own, for each of its textures.
   [[nodiscard]] Result<const gl::Texture*> DepthStencil(glm::ivec2 size, std::optional<std::size_t> owner);
 
@@ -55,7 +55,7 @@ class TextureStore {
   struct Slot {
     gl::Texture texture;
     gl::TextureHandle srgb;
-    gl::TextureHandle procedural;   ///< of any dimension
+    gl::TextureHandle other;        ///< of any dimension: filled by a function, or a cube's file
     TextureMeaning meaning = TextureMeaning::kBaseColor;   ///< of one without a file
     bool is_file = false;           ///< of the role, whether or not there is one
   };

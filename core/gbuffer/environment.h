@@ -22,7 +22,7 @@ struct EnvironmentMap {
   std::vector<glm::vec3> pixels;
 };
 
-/// Any image, equirectangular or, by its proportions, the faces of a cube (CubeLayoutOf): display-encoded ones are
+/// Any image, equirectangular or, by its proportions, the faces of a cube (image::CubeLayoutOf): display-encoded ones are
 /// decoded, NaNs become 0, infinities the largest half. Errors: kInput when empty.
 [[nodiscard]] Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image);
 

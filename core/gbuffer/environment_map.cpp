@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include "core/gbuffer/cube_layout.h"
 #include "core/gbuffer/environment.h"
+#include "core/gbuffer/equirectangular.h"
 
 namespace burin::gbuffer {
 namespace {
@@ -53,7 +53,7 @@ Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image) {
       map.pixels[i][static_cast<glm::length_t>(c)] = Clean(value);
     }
   }
-  if (const auto layout = CubeLayoutOf(map.width, map.height)) return EquirectangularOf(map, *layout);
+  if (const auto layout = image::CubeLayoutOf(map.width, map.height)) return EquirectangularOf(map, *layout);
   return map;
 }
 

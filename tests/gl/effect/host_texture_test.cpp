@@ -123,6 +123,57 @@ TEST_F(HostTexture, AFileGoesBeforeTheObjectsAndIsMissedWithAWarning) {
   EXPECT_EQ(asked_for.error().message, "texture 't' of test.fx: 'gone.png' not found; searched: ., textures");
 }
 
+TEST_F(HostTexture, CubesAreReadFromTheirFaces) {
+  // +x -x +y -y +z -z as tenths of red.
+  const auto text = [](const std::string& direction) {
+    return "textureCUBE t : ENVIRONMENT < string ResourceName = \"sky.dds\"; >; samplerCUBE s = sampler_state { "
+           "Texture "
+           "= <t>; };\nfloat4 PS(float2 u : TEXCOORD0) : COLOR { return texCUBE(s, float3(" +
+           direction + ")); }\ntechnique T { pass P { PixelShader = compile ps_2_0 PS(); } }";
+  };
+  struct Case {
+    int width, height;
+    int faces[6][2];
+  };
+  const Case cases[] = {{2, 12, {{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}},
+                        {12, 2, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}},
+                        {8, 6, {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}},
+                        {6, 8, {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3}}}};
+  const char* const directions[] = {"1, 0, 0", "-1, 0, 0", "0, 1, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1"};
+  for (const Case& c : cases) {
+    RunnerOptions options = Options();
+    options.load_texture = [&](const std::string&) -> Result<std::optional<image::Image>> {
+      return MakeImage(c.width, c.height, image::SampleType::kU8, [&](int x, int y) {
+        for (int face = 0; face < 6; ++face) {
+          if (x / 2 == c.faces[face][0] && y / 2 == c.faces[face][1]) return Rgba{0.2f * float(face), 0, 1, 1};
+        }
+        return Rgba{0, 1, 0, 1};
+      });
+    };
+    for (int face = 0; face < 6; ++face)
+      EXPECT_RGBA8(Run(text(directions[face]), options), 0.2f * float(face), 0, 1, 1) << c.width << "x" << c.height;
+    EXPECT_TRUE(warnings_.empty());
+  }
+  // In a vertical cross the back is upside down: its top is at the bottom of the picture.
+  RunnerOptions options = Options();
+  options.load_texture = [](const std::string&) -> Result<std::optional<image::Image>> {
+    return MakeImage(6, 8, image::SampleType::kU8, [](int x, int y) {
+      return Rgba{x == 2 && y == 7 ? 1.0f : 0.0f, x == 3 && y == 6 ? 1.0f : 0.0f, 0, 1};
+    });
+  };
+  EXPECT_RGBA8(Run(text("-0.5, 0.5, -1"), options), 1, 0, 0, 1) << "towards +y and -x: on the face, above and right";
+  EXPECT_RGBA8(Run(text("0.5, -0.5, -1"), options), 0, 1, 0, 1);
+  options.load_texture = [](const std::string&) -> Result<std::optional<image::Image>> {
+    return MakeImage(5, 2, image::SampleType::kU8, [](int, int) { return Rgba{1, 0, 0, 1}; });
+  };
+  const auto flat = EffectRunner::Create(CompileText(text("1, 0, 0")), options);
+  ASSERT_FALSE(flat.has_value());
+  EXPECT_EQ(
+      flat.error().message,
+      "texture 't' of test.fx: sky.dds: 5x2 pixels are no cube: its faces may lie in a cross (4:3, 3:4), a row or a "
+      "column");
+}
+
 TEST_F(HostTexture, NormalMapsAreTheObjectsOrFlat) {
   const std::string text = kObject +
                            "texture n : NORMAL; sampler s = sampler_state { Texture = <n>; };\nfloat4 PS(float2 u : "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/gbuffer/cube_layout.h"
+#include "core/gbuffer/equirectangular.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 
 namespace burin::gbuffer {
 namespace {
+
+using image::CubeLayout;
 
 constexpr std::uint32_t kSeed = 4'177;
 constexpr int kFace = 32;
@@ -64,18 +66,7 @@ EnvironmentMap Picture(CubeLayout layout, int columns, int rows) {
   return map;
 }
 
-TEST(CubeLayout, IsToldByProportions) {
-  EXPECT_EQ(CubeLayoutOf(64, 48), CubeLayout::kHorizontalCross);
-  EXPECT_EQ(CubeLayoutOf(48, 64), CubeLayout::kVerticalCross);
-  EXPECT_EQ(CubeLayoutOf(96, 16), CubeLayout::kRow);
-  EXPECT_EQ(CubeLayoutOf(16, 96), CubeLayout::kColumn);
-  EXPECT_EQ(CubeLayoutOf(1024, 512), std::nullopt);
-  EXPECT_EQ(CubeLayoutOf(1, 1), std::nullopt);
-  EXPECT_EQ(CubeLayoutOf(65, 48), std::nullopt);
-  EXPECT_EQ(CubeLayoutOf(0, 0), std::nullopt);
-}
-
-TEST(CubeLayout, EveryDirectionShowsWhatItsFaceShows) {
+TEST(Equirectangular, EveryDirectionShowsWhatItsFaceShows) {
   std::mt19937 random(kSeed);
   std::normal_distribution<float> coordinate;
   const std::tuple<CubeLayout, int, int> cases[] = {{CubeLayout::kHorizontalCross, 4, 3},

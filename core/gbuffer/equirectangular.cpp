@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faces are looked up as in the OpenGL specification, section 8.13, table 8.19 (right, left, top, bottom, front, back
 // for +x, -x, +y, -y, +z, -z), where z points away from the viewer.
-#include "core/gbuffer/cube_layout.h"
+#include "core/gbuffer/equirectangular.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <glm/vec2.hpp>
 
 namespace burin::gbuffer {
 namespace {
-
-struct Grid {
-  int columns, rows;
-  std::array<glm::ivec2, 6> faces;  ///< column and row of each
-  bool turns_back;                  ///< the last one is upside down
-};
-
-const Grid& GridOf(CubeLayout layout) {
-  static constexpr std::array<Grid, 4> kGrids = {{
-      {4, 3, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}}, false},
-      {3, 4, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3}}}, true},
-      {6, 1, {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}}, false},
-      {1, 6, {{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}}, false},
-  }};
-  return kGrids[static_cast<std::size_t>(layout)];
-}
 
 struct FacePoint {
   std::size_t face;
@@ -44,8 +26,9 @@ FacePoint FacePointOf(const glm::vec3& d) {
 }
 
 /// Bilinear within one face of `size` texels.
-glm::vec3 Sample(const EnvironmentMap& faces, const Grid& grid, int size, FacePoint point) {
-  if (grid.turns_back && point.face == 5) {
+glm::vec3 Sample(const EnvironmentMap& faces, const image::CubeGrid& grid, int size, FacePoint point) {
+  const image::FacePlace& place = grid.faces[point.face];
+  if (place.is_turned) {
     point.s = 1.0f - point.s;
     point.t = 1.0f - point.t;
   }
@@ -54,10 +37,9 @@ glm::vec3 Sample(const EnvironmentMap& faces, const Grid& grid, int size, FacePo
   const float y = std::clamp(point.t * static_cast<float>(size) - 0.5f, 0.0f, most);
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   const int x1 = std::min(x0 + 1, size - 1), y1 = std::min(y0 + 1, size - 1);
-  const glm::ivec2 corner = grid.faces[point.face] * size;
   const auto texel = [&](int column, int row) {
-    return faces.pixels[static_cast<std::size_t>(corner.y + row) * static_cast<std::size_t>(faces.width) +
-                        static_cast<std::size_t>(corner.x + column)];
+    return faces.pixels[static_cast<std::size_t>(place.row * size + row) * static_cast<std::size_t>(faces.width) +
+                        static_cast<std::size_t>(place.column * size + column)];
   };
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
   const glm::vec3 top = texel(x0, y0) * (1.0f - fx) + texel(x1, y0) * fx;
@@ -67,20 +49,9 @@ glm::vec3 Sample(const EnvironmentMap& faces, const Grid& grid, int size, FacePo
 
 }  // namespace
 
-std::optional<CubeLayout> CubeLayoutOf(int width, int height) {
-  if (width <= 0 || height <= 0) return std::nullopt;
-  for (const CubeLayout layout :
-       {CubeLayout::kHorizontalCross, CubeLayout::kVerticalCross, CubeLayout::kRow, CubeLayout::kColumn}) {
-    const Grid& grid = GridOf(layout);
-    const int size = width / grid.columns;
-    if (size > 0 && size * grid.columns == width && size * grid.rows == height) return layout;
-  }
-  return std::nullopt;
-}
-
-EnvironmentMap EquirectangularOf(const EnvironmentMap& faces, CubeLayout layout) {
+EnvironmentMap EquirectangularOf(const EnvironmentMap& faces, image::CubeLayout layout) {
   constexpr float kPi = glm::pi<float>();
-  const Grid& grid = GridOf(layout);
+  const image::CubeGrid& grid = image::GridOf(layout);
   const int size = faces.width / grid.columns;
   EnvironmentMap map{.width = 4 * size, .height = 2 * size, .pixels = {}};
   map.pixels.reserve(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
