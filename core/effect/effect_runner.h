@@ -20,15 +20,15 @@ namespace burin::effect {
 
 /// An attribute that the caller fills before each Run(): render into `texture`, whose size is the scaled frame's.
 struct AttributeTarget {
-  std::string attribute;              ///< "color", "normal" ... (not custom ones: Run() fills those itself)
+  std::string attribute;  ///< "color", "normal" ... (not custom ones: Run() fills those itself)
   const gl::Texture* texture = nullptr;
-  image::Encoding encoding = image::Encoding::kDisplay;   ///< for colour attributes
+  image::Encoding encoding = image::Encoding::kDisplay;  ///< for colour attributes
 };
 
 /// One draw of the scene for a custom attribute's technique: set the matrices of `world_from_object`, then call `draw`.
 struct SceneDraw {
   glm::mat4 world_from_object{1.0f};
-  std::function<void()> draw{};       ///< binds the vertex array and draws; the program and states are the effect's
+  std::function<void()> draw{};  ///< binds the vertex array and draws; the program and states are the effect's
   MaterialContext material{};
   /// The GL name of one of its material's textures, mipmapped; `is_decoded`: display-encoded ones read as scene-linear.
   /// 0: it has none. Null: no material has any.
@@ -43,17 +43,17 @@ using EffectOpener = std::function<Result<std::shared_ptr<const fx::Effect>>(con
 using TextureLoader = std::function<Result<std::optional<image::Image>>(const std::string& path)>;
 
 struct RunnerOptions {
-  std::string technique;                               ///< empty: the first that validates
-  std::vector<std::pair<std::string, std::string>> parameters;   ///< --param NAME=VALUE
+  std::string technique;                                        ///< empty: the first that validates
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< --param NAME=VALUE
   TextureLoader load_texture;
-  std::string texture_folders;                         ///< where it looks, for messages
+  std::string texture_folders;  ///< where it looks, for messages
   /// The GL name of a cube map of what is all around, display-encoded; null or 0: a grey cube.
   std::function<std::uint32_t()> environment;
-  EffectOpener open_effect;                            ///< null: offscreen targets show the scene
-  std::array<float, 4> clear_color{};                  ///< of the frame
-  bool has_source = false;                             ///< a scene or a picture
-  bool has_scene = false;                              ///< the source has geometry; otherwise it is a picture
-  int width = 0;                                       ///< of the frame
+  EffectOpener open_effect;            ///< null: offscreen targets show the scene
+  std::array<float, 4> clear_color{};  ///< of the frame
+  bool has_source = false;             ///< a scene or a picture
+  bool has_scene = false;              ///< the source has geometry; otherwise it is a picture
+  int width = 0;                       ///< of the frame
   int height = 0;
   /// Of the frame when its colour is display-encoded / scene-linear.
   gl::Format display_frame_format;
@@ -63,12 +63,13 @@ struct RunnerOptions {
 /// The technique that was chosen and why those before it were not.
 struct TechniqueChoice {
   std::size_t technique = 0;
-  std::vector<std::pair<std::string, std::string>> rejected;   ///< name, reason
+  std::vector<std::pair<std::string, std::string>> rejected;  ///< name, reason
   /// Where objects choose among several (ObjectTechniques()), `technique` being the first that draws; else empty.
   std::vector<std::size_t> by_object;
 };
 
-/// Chooses without GL (for `burin info` and `burin check`): kUsage for an unknown --technique, kInput when none is valid.
+/// Chooses without GL (for `burin info` and `burin check`): kUsage for an unknown --technique, kInput when none is
+/// valid.
 [[nodiscard]] Result<TechniqueChoice> ChooseTechnique(const fx::Effect& effect, const std::string& wanted);
 
 /// What colour-like values the technique's frame holds (annotation ColorSpace, else fixed-point or floating inputs).

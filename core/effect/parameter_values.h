@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 #include "core/effect/frame_context.h"
 #include "core/effect/host_value.h"

@@ -17,28 +17,52 @@ std::size_t ElementCount(const std::vector<std::uint32_t>& array) {
 
 void UploadVectors(GLuint program, GLint location, int columns, GLsizei count, const float* data) {
   switch (columns) {
-    case 1: glProgramUniform1fv(program, location, count, data); break;
-    case 2: glProgramUniform2fv(program, location, count, data); break;
-    case 3: glProgramUniform3fv(program, location, count, data); break;
-    default: glProgramUniform4fv(program, location, count, data); break;
+    case 1:
+      glProgramUniform1fv(program, location, count, data);
+      break;
+    case 2:
+      glProgramUniform2fv(program, location, count, data);
+      break;
+    case 3:
+      glProgramUniform3fv(program, location, count, data);
+      break;
+    default:
+      glProgramUniform4fv(program, location, count, data);
+      break;
   }
 }
 
 void UploadInts(GLuint program, GLint location, int columns, GLsizei count, const std::int32_t* data) {
   switch (columns) {
-    case 1: glProgramUniform1iv(program, location, count, data); break;
-    case 2: glProgramUniform2iv(program, location, count, data); break;
-    case 3: glProgramUniform3iv(program, location, count, data); break;
-    default: glProgramUniform4iv(program, location, count, data); break;
+    case 1:
+      glProgramUniform1iv(program, location, count, data);
+      break;
+    case 2:
+      glProgramUniform2iv(program, location, count, data);
+      break;
+    case 3:
+      glProgramUniform3iv(program, location, count, data);
+      break;
+    default:
+      glProgramUniform4iv(program, location, count, data);
+      break;
   }
 }
 
 void UploadUints(GLuint program, GLint location, int columns, GLsizei count, const std::uint32_t* data) {
   switch (columns) {
-    case 1: glProgramUniform1uiv(program, location, count, data); break;
-    case 2: glProgramUniform2uiv(program, location, count, data); break;
-    case 3: glProgramUniform3uiv(program, location, count, data); break;
-    default: glProgramUniform4uiv(program, location, count, data); break;
+    case 1:
+      glProgramUniform1uiv(program, location, count, data);
+      break;
+    case 2:
+      glProgramUniform2uiv(program, location, count, data);
+      break;
+    case 3:
+      glProgramUniform3uiv(program, location, count, data);
+      break;
+    default:
+      glProgramUniform4uiv(program, location, count, data);
+      break;
   }
 }
 
@@ -46,16 +70,36 @@ void UploadUints(GLuint program, GLint location, int columns, GLsizei count, con
 void UploadMatrices(GLuint program, GLint location, int rows, int columns, GLsizei count, const float* data) {
   const auto call = [&](auto function) { function(program, location, count, GL_FALSE, data); };
   switch (rows * 10 + columns) {
-    case 22: call(glProgramUniformMatrix2fv); break;
-    case 23: call(glProgramUniformMatrix2x3fv); break;
-    case 24: call(glProgramUniformMatrix2x4fv); break;
-    case 32: call(glProgramUniformMatrix3x2fv); break;
-    case 33: call(glProgramUniformMatrix3fv); break;
-    case 34: call(glProgramUniformMatrix3x4fv); break;
-    case 42: call(glProgramUniformMatrix4x2fv); break;
-    case 43: call(glProgramUniformMatrix4x3fv); break;
-    case 44: call(glProgramUniformMatrix4fv); break;
-    default: UploadVectors(program, location, rows * columns, count, data); break;   // one row or one column
+    case 22:
+      call(glProgramUniformMatrix2fv);
+      break;
+    case 23:
+      call(glProgramUniformMatrix2x3fv);
+      break;
+    case 24:
+      call(glProgramUniformMatrix2x4fv);
+      break;
+    case 32:
+      call(glProgramUniformMatrix3x2fv);
+      break;
+    case 33:
+      call(glProgramUniformMatrix3fv);
+      break;
+    case 34:
+      call(glProgramUniformMatrix3x4fv);
+      break;
+    case 42:
+      call(glProgramUniformMatrix4x2fv);
+      break;
+    case 43:
+      call(glProgramUniformMatrix4x3fv);
+      break;
+    case 44:
+      call(glProgramUniformMatrix4fv);
+      break;
+    default:
+      UploadVectors(program, location, rows * columns, count, data);
+      break;  // one row or one column
   }
 }
 

@@ -41,8 +41,8 @@ class PassProgram {
     fx::Scalar scalar = fx::Scalar::kFloat;
     int rows = 1, columns = 1;
     bool is_matrix = false;
-    int count = 1;             ///< array elements
-    std::size_t offset = 0;    ///< in Value::numbers
+    int count = 1;           ///< array elements
+    std::size_t offset = 0;  ///< in Value::numbers
   };
   struct Uniform {
     std::size_t parameter = 0;

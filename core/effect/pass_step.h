@@ -32,12 +32,14 @@ class PassStep {
  public:
   /// `programs`: the pass's own and those of fx::Pass::choices, where a text is there.
   [[nodiscard]] static Result<PassStep> Create(const fx::Effect& effect, const Step& step,
-                                               std::vector<PassProgram> programs, const FrameTexture& frame, TextureStore& textures,
-                                               const fx::ParameterLookup& lookup, std::vector<std::string>& warnings);
+                                               std::vector<PassProgram> programs, const FrameTexture& frame,
+                                               TextureStore& textures, const fx::ParameterLookup& lookup,
+                                               std::vector<std::string>& warnings);
 
   /// Binds all of it and clears what the schedule says; the caller then draws.
-  [[nodiscard]] Result<void> Begin(const fx::Effect& effect, const TextureStore& textures, const ParameterValues& values,
-                                   const fx::ParameterLookup& lookup, std::vector<std::string>& warnings);
+  [[nodiscard]] Result<void> Begin(const fx::Effect& effect, const TextureStore& textures,
+                                   const ParameterValues& values, const fx::ParameterLookup& lookup,
+                                   std::vector<std::string>& warnings);
   /// Binds what the host gives to samplers without a file: `texture` is SceneDraw's; 0 leaves the stand-in.
   void BindHostTextures(const std::function<std::uint32_t(TextureMeaning, bool)>& texture) const;
   /// Whether any sampler shows this.
@@ -58,12 +60,12 @@ class PassStep {
 
  private:
   struct BoundSampler {
-    std::size_t index = 0;       ///< in Effect::samplers
+    std::size_t index = 0;  ///< in Effect::samplers
     gl::SamplerHandle sampler;
     SamplerStates states;
-    bool is_dynamic = false;     ///< some state is an expression
+    bool is_dynamic = false;  ///< some state is an expression
     std::uint32_t texture = 0;
-    std::optional<TextureMeaning> meaning;   ///< TextureStore::HostMeaning()
+    std::optional<TextureMeaning> meaning;  ///< TextureStore::HostMeaning()
   };
   /// The shaders of the pass, or of one choice among several.
   struct Variant {
@@ -85,15 +87,15 @@ class PassStep {
   [[nodiscard]] HostUniforms MakeHostUniforms(const fx::Effect& effect, const RenderStates& states) const;
 
   Step step_;
-  std::string label_;                ///< "toon.fx: pass P0", for messages
-  std::vector<Variant> variants_;         ///< the first is the pass's own program
-  std::vector<std::size_t> choices_;      ///< of each of fx::Pass::choices its variant; empty: there is no choice
-  std::size_t current_ = 0;               ///< of the variants, since Begin()
-  RenderStates states_;              ///< from the states that are constant
+  std::string label_;                 ///< "toon.fx: pass P0", for messages
+  std::vector<Variant> variants_;     ///< the first is the pass's own program
+  std::vector<std::size_t> choices_;  ///< of each of fx::Pass::choices its variant; empty: there is no choice
+  std::size_t current_ = 0;           ///< of the variants, since Begin()
+  RenderStates states_;               ///< from the states that are constant
   std::vector<const fx::PassState*> dynamic_states_;
   gl::FramebufferHandle framebuffer_;
   gl::FramebufferHandle srgb_framebuffer_;
-  std::vector<int> writable_;        ///< DrawTargets::writable
+  std::vector<int> writable_;  ///< DrawTargets::writable
   std::vector<std::array<float, 4>> clear_colors_;
   bool lights_material_ = false;
   bool said_bad_state_ = false;

@@ -3,11 +3,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 #include "fx_parser/effect/effect.h"
 
@@ -29,21 +28,21 @@ struct LoopTurn {
 struct Step {
   enum class Kind {
     kPass,
-    kClear,    ///< `clear`
-    kSource    ///< copies the scene's or picture's colour into the first target
+    kClear,  ///< `clear`
+    kSource  ///< copies the scene's or picture's colour into the first target
   };
   Kind kind = Kind::kPass;
   std::size_t technique = 0;
   std::size_t pass = 0;
-  bool draws_scene = false;            ///< the scene's geometry, not the quadrilateral
-  bool shows_source = false;           ///< textures without a file show the source's picture, over the quadrilateral
-  std::vector<std::size_t> targets;    ///< indices in Effect::textures; empty: the frame
-  glm::ivec2 size{0};                  ///< of the targets, pixels
-  bool clears_targets = false;         ///< the first that touches them in a frame
-  bool uses_depth_stencil = false;     ///< with the buffer that all targets of its size share
+  bool draws_scene = false;          ///< the scene's geometry, not the quadrilateral
+  bool shows_source = false;         ///< textures without a file show the source's picture, over the quadrilateral
+  std::vector<std::size_t> targets;  ///< indices in Effect::textures; empty: the frame
+  glm::ivec2 size{0};                ///< of the targets, pixels
+  bool clears_targets = false;       ///< the first that touches them in a frame
+  bool uses_depth_stencil = false;   ///< with the buffer that all targets of its size share
   bool clears_depth_stencil = false;
-  std::optional<std::size_t> depth_stencil;   ///< a texture of a script whose buffer it is; otherwise its size's
-  std::string viewer;                         ///< the light that the scene is seen from; empty: the camera
+  std::optional<std::size_t> depth_stencil;  ///< a texture of a script whose buffer it is; otherwise its size's
+  std::string viewer;                        ///< the light that the scene is seen from; empty: the camera
   ClearStep clear;
   std::vector<LoopTurn> loop_turns;
 };
@@ -54,16 +53,16 @@ struct Schedule {
   std::vector<std::size_t> custom_attributes;  ///< textures that scene-drawing steps fill
   std::vector<std::size_t> pass_results;
   std::vector<std::size_t> files;
-  std::vector<std::size_t> offscreen;          ///< of pass_results: what the runner fills before the steps
-  std::vector<std::size_t> procedural;         ///< textures that functions fill before the first frame
+  std::vector<std::size_t> offscreen;   ///< of pass_results: what the runner fills before the steps
+  std::vector<std::size_t> procedural;  ///< textures that functions fill before the first frame
   /// Targets that a step looks up before any step has drawn into them: cleared as the frame starts.
   std::vector<std::size_t> cleared_at_start;
-  bool clears_frame_at_start = false;          ///< no step draws into the frame, or some only into a part of it
-  bool copies_source = false;                  ///< some step is a kSource
-  bool replaces_scene = false;                 ///< a picture stands in for the scene's geometry
-  bool is_cut = false;                         ///< there were more steps than kMaxSteps
+  bool clears_frame_at_start = false;  ///< no step draws into the frame, or some only into a part of it
+  bool copies_source = false;          ///< some step is a kSource
+  bool replaces_scene = false;         ///< a picture stands in for the scene's geometry
+  bool is_cut = false;                 ///< there were more steps than kMaxSteps
   std::vector<Step> steps;
-  std::vector<glm::ivec2> texture_sizes;       ///< of every texture; those of files are (1, 1) until they are loaded
+  std::vector<glm::ivec2> texture_sizes;  ///< of every texture; those of files are (1, 1) until they are loaded
 };
 
 /// round(scale * frame), at least 1.

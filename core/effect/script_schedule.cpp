@@ -48,14 +48,14 @@ class ScriptRun {
   Schedule& schedule_;
   std::span<const fx::ScriptStep> script_;  // of the technique that runs
   std::size_t technique_ = 0;
-  bool takes_source_ = false;   // by ScriptExternal; then textures are no other way to it
+  bool takes_source_ = false;  // by ScriptExternal; then textures are no other way to it
   std::array<std::optional<std::size_t>, kColorTargets> colors_;
   std::optional<std::size_t> depth_stencil_;
   std::string viewer_;
   ClearStep clear_;            // values as set; what to clear only until it is done
   std::vector<double> turns_;  // of the loops around, innermost last
   std::vector<LoopTurn> loop_turns_;
-  std::size_t turns_run_ = 0;              // of all loops
+  std::size_t turns_run_ = 0;  // of all loops
   std::set<std::size_t> touched_;
   std::set<std::pair<std::size_t, std::pair<int, int>>> depth_touched_;
   bool drew_into_frame_ = false;
@@ -65,8 +65,8 @@ class ScriptRun {
 void ScriptRun::RunTechnique(std::size_t technique) {
   technique_ = technique;
   script_ = effect_.techniques[technique].script;
-  takes_source_ = std::ranges::any_of(
-      script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; });
+  takes_source_ =
+      std::ranges::any_of(script_, [](const fx::ScriptStep& step) { return step.action == Action::kDrawSource; });
   colors_ = {};
   depth_stencil_.reset();
   viewer_.clear();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/effect/texture_store.h"
 
-#include <algorithm>
-#include <array>
-
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 
 #include "core/effect/cube_texture.h"
 #include "core/effect/srgb_view.h"
@@ -38,15 +38,15 @@ bool IsGivenByHost(const fx::Effect& effect, const Schedule& schedule, std::size
     const auto samplers = fx::SamplersOf(effect.techniques[step.technique].passes[step.pass]);
     const bool looks = std::any_of(samplers.begin(), samplers.end(),
                                    [&](std::size_t sampler) { return effect.samplers[sampler].texture == texture; });
-    const bool is_given = step.draws_scene || (step.shows_source && options.has_source && meaning == TextureMeaning::kBaseColor);
+    const bool is_given =
+        step.draws_scene || (step.shows_source && options.has_source && meaning == TextureMeaning::kBaseColor);
     if (looks && !is_given) return false;
   }
   return true;
 }
 
 std::string_view InsteadOf(TextureMeaning meaning) {
-  return meaning == TextureMeaning::kEnvironment ? "the surroundings are shown"
-                                                 : "what is drawn gives its own";
+  return meaning == TextureMeaning::kEnvironment ? "the surroundings are shown" : "what is drawn gives its own";
 }
 
 }  // namespace
@@ -124,15 +124,15 @@ Result<void> TextureStore::AddFile(const fx::Effect& effect, std::size_t index, 
   if (is_cube) {
     auto cube = CubeTextureOf(picture, fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
     if (!cube) {
-      return Fail(cube.error().kind, fmt::format("texture '{}' of {}: {}: {}", declared.name, effect.path, file,
-                                                 cube.error().message));
+      return Fail(cube.error().kind,
+                  fmt::format("texture '{}' of {}: {}: {}", declared.name, effect.path, file, cube.error().message));
     }
     slots_[index].other = std::move(*cube);
     return {};
   }
-  auto texture = gl::Texture::Create(gl::FormatFor(picture), picture.width, picture.height,
-                                     NeedsMipmaps(effect, index) ? 0 : 1,
-                                     fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
+  auto texture =
+      gl::Texture::Create(gl::FormatFor(picture), picture.width, picture.height, NeedsMipmaps(effect, index) ? 0 : 1,
+                          fmt::format("texture '{}' of {} ({})", declared.name, effect.path, file));
   if (!texture) return std::unexpected(texture.error());
   texture->Upload(picture);
   texture->GenerateMipmaps();
@@ -146,7 +146,7 @@ const gl::Texture* TextureStore::texture(std::size_t index) const {
 
 bool TextureStore::AddSrgbView(std::size_t index) {
   Slot& slot = slots_[index];
-  if (!slot.texture) return true;   // stand-ins decode to themselves, near enough
+  if (!slot.texture) return true;  // stand-ins decode to themselves, near enough
   if (!slot.srgb) slot.srgb = CreateSrgbView(slot.texture);
   return static_cast<bool>(slot.srgb);
 }

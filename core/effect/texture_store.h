@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
-
-#include <glm/vec2.hpp>
 
 #include "core/base/error.h"
 #include "core/effect/effect_runner.h"
@@ -55,9 +54,9 @@ class TextureStore {
   struct Slot {
     gl::Texture texture;
     gl::TextureHandle srgb;
-    gl::TextureHandle other;        ///< of any dimension: filled by a function, or a cube's file
-    TextureMeaning meaning = TextureMeaning::kBaseColor;   ///< of one without a file
-    bool is_file = false;           ///< of the role, whether or not there is one
+    gl::TextureHandle other;                              ///< of any dimension: filled by a function, or a cube's file
+    TextureMeaning meaning = TextureMeaning::kBaseColor;  ///< of one without a file
+    bool is_file = false;                                 ///< of the role, whether or not there is one
   };
   [[nodiscard]] Result<void> AddTarget(const fx::Effect& effect, std::size_t index, glm::ivec2 size);
   [[nodiscard]] Result<void> AddFile(const fx::Effect& effect, std::size_t index, const Overrides& overrides,

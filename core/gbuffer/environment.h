@@ -22,8 +22,8 @@ struct EnvironmentMap {
   std::vector<glm::vec3> pixels;
 };
 
-/// Any image, equirectangular or, by its proportions, the faces of a cube (image::CubeLayoutOf): display-encoded ones are
-/// decoded, NaNs become 0, infinities the largest half. Errors: kInput when empty.
+/// Any image, equirectangular or, by its proportions, the faces of a cube (image::CubeLayoutOf): display-encoded ones
+/// are decoded, NaNs become 0, infinities the largest half. Errors: kInput when empty.
 [[nodiscard]] Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image);
 
 /// The built-in one: a grey studio with a soft key light from above left in front, a rim light behind, a darker floor.

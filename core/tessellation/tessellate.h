@@ -45,8 +45,8 @@ struct ScreenMetric {
 
 /// One set of factors a patch, from the screen-space length of each boundary's own control polygon, so that two patches
 /// with the same boundary get the same factor. Inside, quads get the larger factor of the two opposite sides or, if
-/// far more, the mean of three lines': a patch next to a pole may be wide in the middle. Clamped to [1, kMaxFactor]. `clamped`: how many sides met the
-/// maximum.
+/// far more, the mean of three lines': a patch next to a pole may be wide in the middle. Clamped to [1, kMaxFactor].
+/// `clamped`: how many sides met the maximum.
 [[nodiscard]] std::vector<Factors> ScreenFactors(const geometry::BezierPatches& patches, const ScreenMetric& metric,
                                                  std::size_t* clamped = nullptr);
 

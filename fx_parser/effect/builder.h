@@ -93,8 +93,8 @@ class EffectBuilder {
                        ShaderProgram& program);
   void SetState(Pass& pass, RenderState state, ast::Expression& value, std::span<const struct Enumerant> values = {});
   void FinishCgCulling(Pass& pass, const PassShaders& shaders);
-  [[nodiscard]] std::optional<ShaderProgram> WriteShaders(Pass& pass, const PassShaders& shaders,
-                                                          const Shader* vertex, const Shader* pixel);
+  [[nodiscard]] std::optional<ShaderProgram> WriteShaders(Pass& pass, const PassShaders& shaders, const Shader* vertex,
+                                                          const Shader* pixel);
   void WriteChoices(Pass& pass, const PassShaders& shaders);
   void NoteSamplers(const ProgramText& text, const Pass& pass, ShaderProgram& program);
   void WritePrograms(Pass& pass, const PassShaders& shaders, std::vector<std::string>& unsupported);

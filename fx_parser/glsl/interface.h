@@ -8,9 +8,9 @@
 //                  and the vertex shader never writes is written as 0.
 // Fragment outputs: layout(location = n) out vec4 burin_out<n>; DEPTH goes to gl_FragDepth.
 // Parameters:      a plain uniform each, `uniform T burin_p_<name>`; bool and int parameters are carried as written.
-//                  A matrix is uploaded as its HLSL rows: `uniform mat<R>x<C>` in GLSL's columns-by-rows naming holds HLSL
-//                  row r in GLSL column r, so that HLSL M[r] is GLSL m[r] and mul(v, M) is m * v in the emitted text.
-//                  Structs and arrays are flattened by GL's own rules (`burin_p_lights[1].color`).
+//                  A matrix is uploaded as its HLSL rows: `uniform mat<R>x<C>` in GLSL's columns-by-rows naming holds
+//                  HLSL row r in GLSL column r, so that HLSL M[r] is GLSL m[r] and mul(v, M) is m * v in the emitted
+//                  text. Structs and arrays are flattened by GL's own rules (`burin_p_lights[1].color`).
 // Samplers:        `uniform sampler2D burin_s_<name>`, texture units in the order of ShaderProgram::samplers.
 // Host values:     the uniforms named below, declared only when the text needs them.
 // Coordinates:     glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE).

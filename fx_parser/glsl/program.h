@@ -24,8 +24,8 @@ struct ProgramRequest {
   EntryPoint fragment;
   bool alpha_test = false;
   bool pixel_offset = false;
-  const FixedPipeline* fixed = nullptr;   ///< for what has no function; null: the simplest
-  bool fills_texture = false;   ///< the fragment's POSITION and PSIZE are a texel's place and size: kUniformTexel
+  const FixedPipeline* fixed = nullptr;  ///< for what has no function; null: the simplest
+  bool fills_texture = false;  ///< the fragment's POSITION and PSIZE are a texel's place and size: kUniformTexel
 };
 
 struct ProgramText {

@@ -20,9 +20,10 @@ enum IntrinsicTrait : unsigned {
   kHasEffect = 1u << 2,            ///< clip, sincos: not only a value
 };
 
-/// `signature`: result, ':', parameters. F float of any shape, N numeric of any shape, B/I/U/R bool/int/uint/float of that shape,
-/// V float scalar or vector, M float matrix, m its transpose, Q square matrix, f float, b bool, i int4, 2 3 4 float2 to
-/// float4, v void, p q r c samplers of one, two, three dimensions and of a cube, * the product's shape of mul;
+/// `signature`: result, ':', parameters. F float of any shape, N numeric of any shape, B/I/U/R bool/int/uint/float of
+/// that shape, V float scalar or vector, M float matrix, m its transpose, Q square matrix, f float, b bool, i int4, 2 3
+/// 4 float2 to float4, v void, p q r c samplers of one, two, three dimensions and of a cube, * the product's shape of
+/// mul;
 /// '>' marks an out parameter. All F, N or V of one call have one shape, that of the smallest operand.
 /// `glsl`: the GLSL function ("burin_..." are of the prelude), or a form in which $0, $1 are the arguments.
 struct Intrinsic {

@@ -12,16 +12,24 @@ struct Struct;
 }
 
 enum class TypeKind : std::uint8_t {
-  kError,     ///< of an expression that already has a diagnostic; converts to everything silently
-  kVoid, kNumeric, kString, kStruct, kTexture, kSampler, kVertexShader, kPixelShader, kStateBlock,
-  kObject     ///< what shader models 1 to 3 have not: Texture2DArray, StructuredBuffer, GeometryShader ...
+  kError,  ///< of an expression that already has a diagnostic; converts to everything silently
+  kVoid,
+  kNumeric,
+  kString,
+  kStruct,
+  kTexture,
+  kSampler,
+  kVertexShader,
+  kPixelShader,
+  kStateBlock,
+  kObject  ///< what shader models 1 to 3 have not: Texture2DArray, StructuredBuffer, GeometryShader ...
 };
 enum class Scalar : std::uint8_t { kBool, kInt, kUint, kHalf, kFloat, kDouble };
 /// kUnknown: an untyped `sampler` or `texture`, whose dimension follows from its texture or its use.
 enum class Dimension : std::uint8_t { kUnknown, k1D, k2D, k3D, kCube };
 
-/// A complete HLSL type. Scalars are 1x1 with is_vector false; float1 is 1x1 with is_vector true; vectors have rows == 1
-/// and columns == n; float3x4 has rows 3, columns 4. A texture with is_vector has elements of `columns` components.
+/// A complete HLSL type. Scalars are 1x1 with is_vector false; float1 is 1x1 with is_vector true; vectors have rows ==
+/// 1 and columns == n; float3x4 has rows 3, columns 4. A texture with is_vector has elements of `columns` components.
 struct Type {
   TypeKind kind = TypeKind::kError;
   Scalar scalar = Scalar::kFloat;
@@ -32,7 +40,7 @@ struct Type {
   bool row_major = false;
   Dimension dimension = Dimension::kUnknown;
   const ast::Struct* structure = nullptr;
-  std::vector<std::uint32_t> array;   ///< outermost first; empty: not an array
+  std::vector<std::uint32_t> array;  ///< outermost first; empty: not an array
 
   bool operator==(const Type&) const = default;
 

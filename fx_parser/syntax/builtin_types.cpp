@@ -17,11 +17,11 @@ struct ScalarName {
 
 // `fixed` is Cg's, the min... types are Direct3D 11's hints; both are at least as precise as half.
 constexpr ScalarName kScalars[] = {
-    {"float", Scalar::kFloat},      {"half", Scalar::kHalf},        {"int", Scalar::kInt},
-    {"bool", Scalar::kBool},        {"uint", Scalar::kUint},        {"double", Scalar::kDouble},
-    {"dword", Scalar::kUint},       {"DWORD", Scalar::kUint},       {"fixed", Scalar::kHalf},
-    {"min16float", Scalar::kHalf},  {"min10float", Scalar::kHalf},  {"min16int", Scalar::kInt},
-    {"min12int", Scalar::kInt},     {"min16uint", Scalar::kUint},
+    {"float", Scalar::kFloat},     {"half", Scalar::kHalf},       {"int", Scalar::kInt},
+    {"bool", Scalar::kBool},       {"uint", Scalar::kUint},       {"double", Scalar::kDouble},
+    {"dword", Scalar::kUint},      {"DWORD", Scalar::kUint},      {"fixed", Scalar::kHalf},
+    {"min16float", Scalar::kHalf}, {"min10float", Scalar::kHalf}, {"min16int", Scalar::kInt},
+    {"min12int", Scalar::kInt},    {"min16uint", Scalar::kUint},
 };
 
 struct ObjectName {
@@ -55,13 +55,36 @@ constexpr ObjectName kObjects[] = {
 };
 
 // Direct3D 10 and 11's and those of D3DX's fragment linker. Their case counts: `buffer` is a name like any other.
-constexpr std::string_view kForeignObjects[] = {
-    "Texture1DArray",    "Texture2DArray",    "TextureCubeArray",       "Texture2DMS",         "Texture2DMSArray",
-    "Buffer",            "StructuredBuffer",  "ByteAddressBuffer",      "RWBuffer",            "RWTexture1D",
-    "RWTexture2D",       "RWTexture3D",       "RWTexture1DArray",       "RWTexture2DArray",    "RWStructuredBuffer",
-    "RWByteAddressBuffer", "ConsumeStructuredBuffer", "AppendStructuredBuffer", "ConstantBuffer", "PointStream",
-    "LineStream",        "TriangleStream",    "InputPatch",             "OutputPatch",         "GeometryShader",
-    "HullShader",        "DomainShader",      "ComputeShader",          "vertexfragment",      "pixelfragment"};
+constexpr std::string_view kForeignObjects[] = {"Texture1DArray",
+                                                "Texture2DArray",
+                                                "TextureCubeArray",
+                                                "Texture2DMS",
+                                                "Texture2DMSArray",
+                                                "Buffer",
+                                                "StructuredBuffer",
+                                                "ByteAddressBuffer",
+                                                "RWBuffer",
+                                                "RWTexture1D",
+                                                "RWTexture2D",
+                                                "RWTexture3D",
+                                                "RWTexture1DArray",
+                                                "RWTexture2DArray",
+                                                "RWStructuredBuffer",
+                                                "RWByteAddressBuffer",
+                                                "ConsumeStructuredBuffer",
+                                                "AppendStructuredBuffer",
+                                                "ConstantBuffer",
+                                                "PointStream",
+                                                "LineStream",
+                                                "TriangleStream",
+                                                "InputPatch",
+                                                "OutputPatch",
+                                                "GeometryShader",
+                                                "HullShader",
+                                                "DomainShader",
+                                                "ComputeShader",
+                                                "vertexfragment",
+                                                "pixelfragment"};
 
 Type Numeric(Scalar scalar) {
   Type type;

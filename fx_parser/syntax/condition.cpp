@@ -63,25 +63,36 @@ std::vector<Token> ExpandAroundDefined(MacroContext& context, std::vector<Token>
 
 int Precedence(TokenKind kind) {
   switch (kind) {
-    case TokenKind::kOrOr: return 1;
-    case TokenKind::kAndAnd: return 2;
-    case TokenKind::kPipe: return 3;
-    case TokenKind::kCaret: return 4;
-    case TokenKind::kAmpersand: return 5;
+    case TokenKind::kOrOr:
+      return 1;
+    case TokenKind::kAndAnd:
+      return 2;
+    case TokenKind::kPipe:
+      return 3;
+    case TokenKind::kCaret:
+      return 4;
+    case TokenKind::kAmpersand:
+      return 5;
     case TokenKind::kEqual:
-    case TokenKind::kNotEqual: return 6;
+    case TokenKind::kNotEqual:
+      return 6;
     case TokenKind::kLess:
     case TokenKind::kGreater:
     case TokenKind::kLessEqual:
-    case TokenKind::kGreaterEqual: return 7;
+    case TokenKind::kGreaterEqual:
+      return 7;
     case TokenKind::kShiftLeft:
-    case TokenKind::kShiftRight: return 8;
+    case TokenKind::kShiftRight:
+      return 8;
     case TokenKind::kPlus:
-    case TokenKind::kMinus: return 9;
+    case TokenKind::kMinus:
+      return 9;
     case TokenKind::kStar:
     case TokenKind::kSlash:
-    case TokenKind::kPercent: return 10;
-    default: return 0;
+    case TokenKind::kPercent:
+      return 10;
+    default:
+      return 0;
   }
 }
 
@@ -151,25 +162,44 @@ class Evaluator {
     const auto wrap = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
     const bool overflows = left == std::numeric_limits<std::int64_t>::min() && right == -1;
     switch (op) {
-      case TokenKind::kOrOr: return left != 0 || right != 0;
-      case TokenKind::kAndAnd: return left != 0 && right != 0;
-      case TokenKind::kPipe: return wrap(a | b);
-      case TokenKind::kCaret: return wrap(a ^ b);
-      case TokenKind::kAmpersand: return wrap(a & b);
-      case TokenKind::kEqual: return left == right;
-      case TokenKind::kNotEqual: return left != right;
-      case TokenKind::kLess: return left < right;
-      case TokenKind::kGreater: return left > right;
-      case TokenKind::kLessEqual: return left <= right;
-      case TokenKind::kGreaterEqual: return left >= right;
-      case TokenKind::kShiftLeft: return b < 64 ? wrap(a << b) : 0;
-      case TokenKind::kShiftRight: return b < 64 ? left >> b : (left < 0 ? -1 : 0);
-      case TokenKind::kPlus: return wrap(a + b);
-      case TokenKind::kMinus: return wrap(a - b);
-      case TokenKind::kStar: return wrap(a * b);
-      case TokenKind::kSlash: return right == 0 ? 0 : overflows ? left : left / right;
-      case TokenKind::kPercent: return right == 0 || overflows ? 0 : left % right;
-      default: return 0;
+      case TokenKind::kOrOr:
+        return left != 0 || right != 0;
+      case TokenKind::kAndAnd:
+        return left != 0 && right != 0;
+      case TokenKind::kPipe:
+        return wrap(a | b);
+      case TokenKind::kCaret:
+        return wrap(a ^ b);
+      case TokenKind::kAmpersand:
+        return wrap(a & b);
+      case TokenKind::kEqual:
+        return left == right;
+      case TokenKind::kNotEqual:
+        return left != right;
+      case TokenKind::kLess:
+        return left < right;
+      case TokenKind::kGreater:
+        return left > right;
+      case TokenKind::kLessEqual:
+        return left <= right;
+      case TokenKind::kGreaterEqual:
+        return left >= right;
+      case TokenKind::kShiftLeft:
+        return b < 64 ? wrap(a << b) : 0;
+      case TokenKind::kShiftRight:
+        return b < 64 ? left >> b : (left < 0 ? -1 : 0);
+      case TokenKind::kPlus:
+        return wrap(a + b);
+      case TokenKind::kMinus:
+        return wrap(a - b);
+      case TokenKind::kStar:
+        return wrap(a * b);
+      case TokenKind::kSlash:
+        return right == 0 ? 0 : overflows ? left : left / right;
+      case TokenKind::kPercent:
+        return right == 0 || overflows ? 0 : left % right;
+      default:
+        return 0;
     }
   }
 

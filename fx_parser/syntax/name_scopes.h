@@ -26,8 +26,8 @@ class NameScopes {
  private:
   [[nodiscard]] bool IsLocal(std::string_view name) const;
 
-  std::map<std::string, std::vector<bool>, std::less<>> names_;   // the innermost declaration last; never empty
-  std::vector<std::vector<std::string>> scopes_;                   // what to take back when each ends
+  std::map<std::string, std::vector<bool>, std::less<>> names_;  // the innermost declaration last; never empty
+  std::vector<std::vector<std::string>> scopes_;                 // what to take back when each ends
 };
 
 }  // namespace burin::fx

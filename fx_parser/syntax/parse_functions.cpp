@@ -58,7 +58,7 @@ bool Parser::ParseParameter(ast::Function& function) {
     Report(specifiers.structure->range, "a struct cannot be defined in a parameter");
     return false;
   }
-  if (Is(TokenKind::kIdentifier)) {   // a prototype's, or one that is not used, may have no name
+  if (Is(TokenKind::kIdentifier)) {  // a prototype's, or one that is not used, may have no name
     parameter->range = Peek().range();
     parameter->name = Advance().text;
     names_.Declare(parameter->name, false);

@@ -6,7 +6,7 @@
 namespace burin::fx {
 namespace {
 
-constexpr int kMaxNamespaces = 16;   // inside one another
+constexpr int kMaxNamespaces = 16;  // inside one another
 
 }  // namespace
 
@@ -52,11 +52,11 @@ void Parser::ParseTopLevel(ast::Module& module) {
   }
   if (abandon_function_) return;
   if (!parsed) SkipDeclaration(first);
-  if (position_ == first) Advance();   // whatever happens, go forward
+  if (position_ == first) Advance();  // whatever happens, go forward
 }
 
 bool Parser::ParseGlobal(ast::Module& module) {
-  std::vector<std::string> attributes;   // of Direct3D 10 and later entry points
+  std::vector<std::string> attributes;  // of Direct3D 10 and later entry points
   if (Is(TokenKind::kLeftBracket) && !ParseAttributes(attributes)) return false;
   if (!Is(TokenKind::kIdentifier) && !Is(TokenKind::kScope)) {
     ReportUnexpected("a declaration");
@@ -115,7 +115,7 @@ bool Parser::ParseBuffer(ast::Module& module) {
   if (!Expect(TokenKind::kLeftBrace, "'{' to begin the buffer")) return false;
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
     const std::size_t first = position_;
-    if (AtTechnique() || (IsWord("struct") && Peek().begin.column == 1)) break;   // the '}' is missing
+    if (AtTechnique() || (IsWord("struct") && Peek().begin.column == 1)) break;  // the '}' is missing
     if (!ParseGlobal(module)) SkipStatement(first);
     if (position_ == first) Advance();
   }

@@ -32,13 +32,20 @@ ast::ExpressionPtr Parser::ParsePrimary() {
 ast::ExpressionPtr Parser::ParsePrimaryKind() {
   switch (Peek().kind) {
     case TokenKind::kInteger:
-    case TokenKind::kFloat: return ParseNumber();
-    case TokenKind::kString: return ParseStringLiteral();
-    case TokenKind::kLeftParen: return ParseParenthesised();
-    case TokenKind::kLeftBrace: return ParseInitializerList();
+    case TokenKind::kFloat:
+      return ParseNumber();
+    case TokenKind::kString:
+      return ParseStringLiteral();
+    case TokenKind::kLeftParen:
+      return ParseParenthesised();
+    case TokenKind::kLeftBrace:
+      return ParseInitializerList();
     case TokenKind::kScope:
-    case TokenKind::kIdentifier: return ParseIdentifier();
-    default: ReportUnexpected("an expression"); return nullptr;
+    case TokenKind::kIdentifier:
+      return ParseIdentifier();
+    default:
+      ReportUnexpected("an expression");
+      return nullptr;
   }
 }
 
@@ -155,7 +162,7 @@ ast::ExpressionPtr Parser::ParseInitializerList() {
     ast::ExpressionPtr element = ParseAssignment();
     if (!element) return nullptr;
     list.elements.push_back(std::move(element));
-    if (!Accept(TokenKind::kComma)) break;   // one behind the last element is fine
+    if (!Accept(TokenKind::kComma)) break;  // one behind the last element is fine
   }
   if (!ExpectClosing(TokenKind::kRightBrace, "',' or '}' in the initialiser", opening)) return nullptr;
   return Make(first, std::move(list));
@@ -171,7 +178,7 @@ ast::ExpressionPtr Parser::ParseCompile() {
     return nullptr;
   }
   if (!ExpectName("a shader profile after 'compile'", compile.profile, compile.profile_range)) return nullptr;
-  Accept(TokenKind::kString);   // CgFX: options for its compiler
+  Accept(TokenKind::kString);  // CgFX: options for its compiler
   if (!ParseEntryPoint(compile)) return nullptr;
   return Make(first, std::move(compile));
 }
@@ -179,7 +186,7 @@ ast::ExpressionPtr Parser::ParseCompile() {
 bool Parser::ParseEntryPoint(ast::Compile& compile) {
   const std::string what = "the name of a function to compile for '" + compile.profile + "'";
   if (!ParseQualifiedName(what, compile.function, compile.function_range)) return false;
-  return !Is(TokenKind::kLeftParen) || ParseArguments(compile.arguments);   // CgFX may leave the parentheses out
+  return !Is(TokenKind::kLeftParen) || ParseArguments(compile.arguments);  // CgFX may leave the parentheses out
 }
 
 // Direct3D 10's CompileShader(PROFILE, Function(arguments)).

@@ -30,7 +30,7 @@ ast::StatementPtr Parser::ParseStatementKind() {
   while (Is(TokenKind::kLeftBracket)) {
     if (!ParseAttributes(attributes)) return nullptr;
   }
-  if (Is(TokenKind::kLeftBrace)) return ParseBlock();   // [isolate] { ... }
+  if (Is(TokenKind::kLeftBrace)) return ParseBlock();  // [isolate] { ... }
   if (IsEffectWord("asm") && Is(TokenKind::kLeftBrace, 1)) return ParseAsmStatement();
   if (IsWord("if")) return ParseIf(std::move(attributes));
   if (IsWord("for")) return ParseFor(std::move(attributes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fx_parser/syntax/parser.h"
 #include "fx_parser/syntax/parse.h"
+#include "fx_parser/syntax/parser.h"
 
 namespace burin::fx {
 
@@ -14,8 +14,8 @@ std::unique_ptr<ast::Struct> Parser::ParseStruct() {
     structure->range = Peek().range();
     structure->name = (function_brace_ ? "" : space_) + std::string(Advance().text);
   }
-  names_.Declare(structure->name, true);   // before its body, so that faults in there make no others
-  if (Accept(TokenKind::kColon)) {   // Cg: the interface that it is one of
+  names_.Declare(structure->name, true);  // before its body, so that faults in there make no others
+  if (Accept(TokenKind::kColon)) {        // Cg: the interface that it is one of
     std::string base;
     Range range;
     if (!ParseQualifiedName("the name of an interface", base, range)) return nullptr;
@@ -24,7 +24,7 @@ std::unique_ptr<ast::Struct> Parser::ParseStruct() {
   if (!Expect(TokenKind::kLeftBrace, "'{' to begin the struct")) return nullptr;
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
     const std::size_t first = position_;
-    if (AtTechnique() || AtOuterFunction()) break;   // the '}' is missing
+    if (AtTechnique() || AtOuterFunction()) break;  // the '}' is missing
     if (!ParseMember(*structure)) SkipStatement(first);
     if (position_ == first) Advance();
   }
@@ -70,8 +70,7 @@ bool Parser::ParseMethod(ast::Struct& structure, Specifiers& specifiers) {
   method->range = Peek().range();
   method->name = Advance().text;
   names_.Push();
-  const bool has_head =
-      ParseParameters(*method) && ParseSemantics(method->semantic, method->semantic_range, nullptr);
+  const bool has_head = ParseParameters(*method) && ParseSemantics(method->semantic, method->semantic_range, nullptr);
   names_.Pop();
   if (!has_head) return false;
   const std::string name = method->name;

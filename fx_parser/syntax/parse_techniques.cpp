@@ -35,7 +35,7 @@ std::unique_ptr<ast::Technique> Parser::ParseTechnique() {
   while (!Is(TokenKind::kRightBrace) && !Is(TokenKind::kEnd) && !stopped()) {
     const std::size_t first = position_;
     if (Accept(TokenKind::kSemicolon)) continue;
-    if (AtTechnique()) break;   // a '}' is missing
+    if (AtTechnique()) break;  // a '}' is missing
     if (!IsEffectWord("pass")) {
       const bool is_state = Is(TokenKind::kIdentifier) && Is(TokenKind::kAssign, 1);
       ReportUnexpected("'pass' or '}' in " + Named("technique", technique->name) +
@@ -64,7 +64,7 @@ bool Parser::ParsePass(ast::Technique& technique) {
   ParseStates(pass.states, "render state");
   const std::string what = "'}' to end " + Named("pass", pass.name);
   technique.passes.push_back(std::move(pass));
-  ExpectClosing(TokenKind::kRightBrace, what, opening);   // where it is missing, the next pass or technique follows
+  ExpectClosing(TokenKind::kRightBrace, what, opening);  // where it is missing, the next pass or technique follows
   return true;
 }
 

@@ -54,8 +54,8 @@ const QualifierWord* FindQualifier(const Token& token) {
 
 // Words that begin a statement and so never a declaration.
 bool IsStatementWord(std::string_view word) {
-  constexpr std::string_view kWords[] = {"return", "else", "if", "for", "while", "do", "switch", "case", "default",
-                                         "break",  "continue", "discard"};
+  constexpr std::string_view kWords[] = {"return", "else", "if",      "for",   "while",    "do",
+                                         "switch", "case", "default", "break", "continue", "discard"};
   return std::ranges::find(kWords, word) != std::end(kWords);
 }
 
@@ -141,10 +141,10 @@ bool Parser::ParseSpecifiers(Specifiers& specifiers) {
     type.type.kind = TypeKind::kStruct;
     if (type.name.empty()) type.type.structure = specifiers.structure.get();
   } else {
-    AcceptWord("struct");   // C's `struct Light light;`
+    AcceptWord("struct");  // C's `struct Light light;`
     if (!ParseTypeName(specifiers.type, specifiers.qualifiers)) return false;
   }
-  specifiers.qualifiers |= ParseQualifiers();   // `float const x`
+  specifiers.qualifiers |= ParseQualifiers();  // `float const x`
   if (AcceptWord("const")) specifiers.qualifiers |= ast::kConst;
   return true;
 }
@@ -187,7 +187,7 @@ bool Parser::ParseTypeArguments(ast::TypeName& type) {
   const bool takes_element = type.type.kind == TypeKind::kTexture || type.type.kind == TypeKind::kObject;
   if (!takes_element || !StartsType(1)) return true;
   std::size_t close = 2;
-  if (Is(TokenKind::kComma, close)) close += 2;   // the samples of a Texture2DMS, the points of a patch
+  if (Is(TokenKind::kComma, close)) close += 2;  // the samples of a Texture2DMS, the points of a patch
   if (!Is(TokenKind::kGreater, close)) return true;
   const std::optional<Type> element = FindBuiltinType(Peek(1).text);
   if (type.type.kind == TypeKind::kTexture && element && element->kind == TypeKind::kNumeric) {

@@ -124,7 +124,7 @@ bool Parser::ParseAnnotationList(std::vector<ast::Annotation>& annotations) {
 
 bool Parser::ParseAnnotationType(ast::TypeName& type) {
   if (Is(TokenKind::kIdentifier) && Is(TokenKind::kAssign, 1)) {
-    type.type.kind = TypeKind::kError;   // ReShade's annotations have no types
+    type.type.kind = TypeKind::kError;  // ReShade's annotations have no types
     return true;
   }
   if (!Is(TokenKind::kIdentifier)) {

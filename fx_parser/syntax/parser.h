@@ -61,7 +61,7 @@ class Parser {
   struct Specifiers {
     std::uint32_t qualifiers = 0;
     ast::TypeName type;
-    std::unique_ptr<ast::Struct> structure;   // when one is defined on the spot
+    std::unique_ptr<ast::Struct> structure;  // when one is defined on the spot
   };
   [[nodiscard]] bool StartsQualifier(std::size_t ahead) const;
   [[nodiscard]] bool StartsType(std::size_t ahead) const;
@@ -201,17 +201,17 @@ class Parser {
   TokenStream& stream_;
   std::vector<Token>& tokens_;
   Diagnostics& diagnostics_;
-  Diagnostic ignored_;                       // what a report at the place of the last one returns
+  Diagnostic ignored_;  // what a report at the place of the last one returns
   std::size_t position_ = 0;
   std::size_t last_report_ = ~std::size_t{0};
   int expression_depth_ = 0;
   int statement_depth_ = 0;
-  bool stop_at_greater_ = false;             // inside < >, where '>' ends the expression
-  bool abandon_function_ = false;            // its '}' is missing: unwind to file scope
-  const Token* function_brace_ = nullptr;    // the '{' of the function at hand
+  bool stop_at_greater_ = false;           // inside < >, where '>' ends the expression
+  bool abandon_function_ = false;          // its '}' is missing: unwind to file scope
+  const Token* function_brace_ = nullptr;  // the '{' of the function at hand
   std::string function_name_;
   NameScopes names_;
-  std::string space_;                        // the namespace at hand, "outer::inner::"
+  std::string space_;  // the namespace at hand, "outer::inner::"
 };
 
 template <class Node>

@@ -43,8 +43,9 @@ PixelMap ToMap(const image::Image& picture) {
   for (std::size_t i = 0; i < count; ++i) {
     Rgba pixel{};
     for (std::size_t c = 0; c < 4; ++c) {
-      pixel[c] = picture.type == image::SampleType::kF32 ? picture.As<float>()[i * 4 + c]
-                                                         : static_cast<float>(picture.As<std::uint8_t>()[i * 4 + c]) / 255.0f;
+      pixel[c] = picture.type == image::SampleType::kF32
+                     ? picture.As<float>()[i * 4 + c]
+                     : static_cast<float>(picture.As<std::uint8_t>()[i * 4 + c]) / 255.0f;
     }
     map.pixels.push_back(pixel);
   }
@@ -55,7 +56,8 @@ PixelMap ToMap(const image::Image& picture) {
 void ExpectChannel(const PixelMap& frame, std::size_t channel, const Channel& expected, float tolerance) {
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
-      ASSERT_NEAR(frame.at(x, y)[channel], expected(x, y), tolerance) << "channel " << channel << " at " << x << "," << y;
+      ASSERT_NEAR(frame.at(x, y)[channel], expected(x, y), tolerance)
+          << "channel " << channel << " at " << x << "," << y;
     }
   }
 }
@@ -101,7 +103,8 @@ TEST(Library, TheManualsExampleRuns) {
                return Rgba{value, value, value, 1};
              }));
   // Marked at 9, broadened to the right.
-  ExpectChannel(bench.RunPixels(), 0, [](int x, int) { return x == 9 || x == 10 ? 0.0f : 1.0f; }, 0);
+  ExpectChannel(
+      bench.RunPixels(), 0, [](int x, int) { return x == 9 || x == 10 ? 0.0f : 1.0f; }, 0);
 }
 
 TEST(Library, IdentityCopiesBits) {
@@ -126,20 +129,22 @@ TEST(Library, SobelIsTheLengthOfTheGradientByChannel) {
   const PixelMap frame = bench.RunPixels();
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const Channel p = Clamped(map, channel);
-    ExpectChannel(frame, channel,
-                  [&](int x, int y) {
-                    float gx = 0;
-                    float gy = 0;
-                    for (int i = -1; i <= 1; ++i) {
-                      const float weight = i == 0 ? 2.0f : 1.0f;
-                      gx += weight * (p(x + 1, y + i) - p(x - 1, y + i));
-                      gy += weight * (p(x + i, y + 1) - p(x + i, y - 1));
-                    }
-                    return std::min(1.0f, 0.25f * std::hypot(gx, gy));
-                  },
-                  0.51f / 255);
+    ExpectChannel(
+        frame, channel,
+        [&](int x, int y) {
+          float gx = 0;
+          float gy = 0;
+          for (int i = -1; i <= 1; ++i) {
+            const float weight = i == 0 ? 2.0f : 1.0f;
+            gx += weight * (p(x + 1, y + i) - p(x - 1, y + i));
+            gy += weight * (p(x + i, y + 1) - p(x + i, y - 1));
+          }
+          return std::min(1.0f, 0.25f * std::hypot(gx, gy));
+        },
+        0.51f / 255);
   }
-  ExpectChannel(frame, 3, [](int, int) { return 1.0f; }, 0);
+  ExpectChannel(
+      frame, 3, [](int, int) { return 1.0f; }, 0);
 }
 
 TEST(Library, RobertsIsTheLengthOfBothDiagonals) {
@@ -148,11 +153,10 @@ TEST(Library, RobertsIsTheLengthOfBothDiagonals) {
   Bench bench(CompileFile("effects/edges/roberts.fx"), kWidth, kHeight, {{"Strength", "0.5"}});
   bench.Fill("color", picture);
   const Channel p = Clamped(map, 1);
-  ExpectChannel(bench.RunPixels(), 1,
-                [&](int x, int y) {
-                  return 0.5f * std::hypot(p(x, y) - p(x + 1, y + 1), p(x + 1, y) - p(x, y + 1));
-                },
-                0.51f / 255);
+  ExpectChannel(
+      bench.RunPixels(), 1,
+      [&](int x, int y) { return 0.5f * std::hypot(p(x, y) - p(x + 1, y + 1), p(x + 1, y) - p(x, y + 1)); },
+      0.51f / 255);
 }
 
 // A bright square on black, so that thresholds are far from any value.
@@ -172,16 +176,17 @@ TEST(Library, DilatedEdgesAreBlackAroundTheRobertsCross) {
   const auto is_edge = [&](int x, int y) {
     return std::abs(p(x, y) - p(x + 1, y + 1)) + std::abs(p(x + 1, y) - p(x, y + 1)) > 0.09f;
   };
-  ExpectChannel(bench.RunPixels(), 0,
-                [&](int x, int y) {
-                  for (int j = -1; j <= 1; ++j) {
-                    for (int i = -1; i <= 1; ++i) {
-                      if (is_edge(std::clamp(x + i, 0, kWidth - 1), std::clamp(y + j, 0, kHeight - 1))) return 0.0f;
-                    }
-                  }
-                  return 1.0f;
-                },
-                0);
+  ExpectChannel(
+      bench.RunPixels(), 0,
+      [&](int x, int y) {
+        for (int j = -1; j <= 1; ++j) {
+          for (int i = -1; i <= 1; ++i) {
+            if (is_edge(std::clamp(x + i, 0, kWidth - 1), std::clamp(y + j, 0, kHeight - 1))) return 0.0f;
+          }
+        }
+        return 1.0f;
+      },
+      0);
 }
 
 TEST(Library, ThePapersListingWrapsRoundTheBorder) {
@@ -192,12 +197,13 @@ TEST(Library, ThePapersListingWrapsRoundTheBorder) {
   });
   Bench bench(CompileFile("effects/edges/roberts_paper.fx"), kWidth, kHeight);
   bench.Fill("intensity", picture);
-  ExpectChannel(bench.RunPixels(), 0,
-                [&](int, int y) {
-                  // Row 0 and row 8 differ from the row above; dilation adds the rows beside them (clamped, not wrapped).
-                  return y <= 1 || (y >= 7 && y <= 9) ? 0.0f : 1.0f;
-                },
-                0);
+  ExpectChannel(
+      bench.RunPixels(), 0,
+      [&](int, int y) {
+        // Row 0 and row 8 differ from the row above; dilation adds the rows beside them (clamped, not wrapped).
+        return y <= 1 || (y >= 7 && y <= 9) ? 0.0f : 1.0f;
+      },
+      0);
 }
 
 TEST(Library, SupersamplingWithAWideGaussianIsTheMeanOfNine) {
@@ -207,15 +213,16 @@ TEST(Library, SupersamplingWithAWideGaussianIsTheMeanOfNine) {
   const PixelMap map = ToMap(large);
   const PixelMap frame = bench.RunPixels();
   for (std::size_t channel = 0; channel < 4; ++channel) {
-    ExpectChannel(frame, channel,
-                  [&](int x, int y) {
-                    float sum = 0;
-                    for (int j = 0; j < 3; ++j) {
-                      for (int i = 0; i < 3; ++i) sum += map.at(3 * x + i, 3 * y + j)[channel];
-                    }
-                    return sum / 9;
-                  },
-                  1e-3f);   // the attribute holds halves
+    ExpectChannel(
+        frame, channel,
+        [&](int x, int y) {
+          float sum = 0;
+          for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i) sum += map.at(3 * x + i, 3 * y + j)[channel];
+          }
+          return sum / 9;
+        },
+        1e-3f);  // the attribute holds halves
   }
 }
 
@@ -224,21 +231,22 @@ TEST(Library, SupersamplingWeighsByTheGaussianAndSplits) {
   Bench bench(CompileFile("effects/filter/supersample.fx"), kWidth, kHeight, {{"Sigma", "0.7"}, {"Split", "0.5"}});
   bench.Fill("color", large);
   const PixelMap map = ToMap(large);
-  ExpectChannel(bench.RunPixels(), 2,
-                [&](int x, int y) {
-                  if ((static_cast<float>(x) + 0.5f) / kWidth < 0.5f) return map.at(3 * x + 1, 3 * y + 1)[2];
-                  double sum = 0;
-                  double total = 0;
-                  for (int j = -1; j <= 1; ++j) {
-                    for (int i = -1; i <= 1; ++i) {
-                      const double weight = std::exp(-0.5 * (i * i + j * j) / (0.7 * 0.7));
-                      sum += weight * static_cast<double>(map.at(3 * x + 1 + i, 3 * y + 1 + j)[2]);
-                      total += weight;
-                    }
-                  }
-                  return static_cast<float>(sum / total);
-                },
-                1e-3f);
+  ExpectChannel(
+      bench.RunPixels(), 2,
+      [&](int x, int y) {
+        if ((static_cast<float>(x) + 0.5f) / kWidth < 0.5f) return map.at(3 * x + 1, 3 * y + 1)[2];
+        double sum = 0;
+        double total = 0;
+        for (int j = -1; j <= 1; ++j) {
+          for (int i = -1; i <= 1; ++i) {
+            const double weight = std::exp(-0.5 * (i * i + j * j) / (0.7 * 0.7));
+            sum += weight * static_cast<double>(map.at(3 * x + 1 + i, 3 * y + 1 + j)[2]);
+            total += weight;
+          }
+        }
+        return static_cast<float>(sum / total);
+      },
+      1e-3f);
 }
 
 TEST(Library, GaussianConvolvesInTwoDimensions) {
@@ -252,20 +260,21 @@ TEST(Library, GaussianConvolvesInTwoDimensions) {
   bench.Fill("color", picture);
   const Channel p = Clamped(map, 1);
   const int radius = static_cast<int>(std::ceil(3 * kSigma));
-  ExpectChannel(bench.RunPixels(), 1,
-                [&](int x, int y) {
-                  double sum = 0;
-                  double total = 0;
-                  for (int j = -radius; j <= radius; ++j) {
-                    for (int i = -radius; i <= radius; ++i) {
-                      const double weight = std::exp(-0.5 * (i * i + j * j) / (kSigma * kSigma));
-                      sum += weight * static_cast<double>(p(x + i, y + j));
-                      total += weight;
-                    }
-                  }
-                  return static_cast<float>(sum / total);
-                },
-                0.6f / 255);
+  ExpectChannel(
+      bench.RunPixels(), 1,
+      [&](int x, int y) {
+        double sum = 0;
+        double total = 0;
+        for (int j = -radius; j <= radius; ++j) {
+          for (int i = -radius; i <= radius; ++i) {
+            const double weight = std::exp(-0.5 * (i * i + j * j) / (kSigma * kSigma));
+            sum += weight * static_cast<double>(p(x + i, y + j));
+            total += weight;
+          }
+        }
+        return static_cast<float>(sum / total);
+      },
+      0.6f / 255);
 }
 
 TEST(Library, GaussianOfZeroLeavesThePictureAlone) {
@@ -304,8 +313,11 @@ TEST(Library, ScreensKeepTheTone) {
     for (const float tone : {0.0f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f, 1.0f}) {
       SCOPED_TRACE(testing::Message() << technique << " at " << tone);
       Bench bench(CompileFile("effects/npr/screening.fx"), kSize, kSize,
-                  {{"Contrast", "1"}, {"Brightness", "0"}, {"EdgeThreshold", "2"}, {"Period", "8"}, {"Angle", "20"}}, technique);
-      bench.Fill("intensity", MakeImage(kSize, kSize, image::SampleType::kU8, [&](int, int) { return Rgba{tone, tone, tone, 1}; }));
+                  {{"Contrast", "1"}, {"Brightness", "0"}, {"EdgeThreshold", "2"}, {"Period", "8"}, {"Angle", "20"}},
+                  technique);
+      bench.Fill("intensity", MakeImage(kSize, kSize, image::SampleType::kU8, [&](int, int) {
+                   return Rgba{tone, tone, tone, 1};
+                 }));
       bench.Fill("alpha", MakeImage(kSize, kSize, image::SampleType::kU8, [](int, int) { return Rgba{1, 1, 1, 1}; }));
       const PixelMap frame = bench.RunPixels();
       double sum = 0;
@@ -351,9 +363,21 @@ TEST(Library, GbufferEdgesFollowIdsDepthAndNormals) {
   EXPECT_EQ(run(one, one, up), 0);
   EXPECT_EQ(run(one, slope, up), 0) << "a slanting plane has no edges";
   // Steep, in perspective: the reciprocal of the depth is what grows evenly over the picture.
-  EXPECT_EQ(run(one, [](int x, int) { return Rgba{1.0f / (0.05f + 0.04f * static_cast<float>(x)), 1, 1, 1}; }, up), 0);
+  EXPECT_EQ(run(
+                one,
+                [](int x, int) {
+                  return Rgba{1.0f / (0.05f + 0.04f * static_cast<float>(x)), 1, 1, 1};
+                },
+                up),
+            0);
   EXPECT_EQ(run([](int x, int) { return Rgba{x < 12 ? 1.0f : 2.0f, 1, 1, 1}; }, one, up), 2 * kSize);
-  EXPECT_EQ(run(one, [](int x, int) { return Rgba{x < 12 ? 1.0f : 2.0f, 1, 1, 1}; }, up), 2 * kSize);
+  EXPECT_EQ(run(
+                one,
+                [](int x, int) {
+                  return Rgba{x < 12 ? 1.0f : 2.0f, 1, 1, 1};
+                },
+                up),
+            2 * kSize);
   EXPECT_EQ(run(one, one, [](int x, int) { return x < 12 ? Rgba{0, 1, 0, 1} : Rgba{1, 0, 0, 1}; }), 2 * kSize);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels and texels: one to one, (0,0) at the top left, v downwards, and Direct3D 9's half pixel for files that do not use
-// the extension's names.
+// Pixels and texels: one to one, (0,0) at the top left, v downwards, and Direct3D 9's half pixel for files that do not
+// use the extension's names.
 #include <algorithm>
 #include <string>
 
@@ -14,7 +14,8 @@ std::string Copy(const std::string& format, const std::string& coordinate, const
   return globals + "float4 TexelSize;\ntexture " + texture + ";\nsampler s = sampler_state { Texture = <" + texture +
          ">; AddressU = Clamp; AddressV = Clamp; };\n"
          "float4 Copy(float2 uv : TEXCOORD0) : COLOR { return tex2D(s, " +
-         coordinate + "); }\ntechnique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 Copy(); } }";
+         coordinate +
+         "); }\ntechnique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_2_0 Copy(); } }";
 }
 
 struct Size {
@@ -25,9 +26,9 @@ constexpr Size kSizes[] = {{1, 1}, {3, 1}, {1, 7}, {17, 13}, {64, 64}, {101, 57}
 TEST(Mapping, AnIdentityIsBitExactAtEverySize) {
   unsigned seed = 20261;
   for (const Size size : kSizes) {
-    for (const auto& [format, type] : {std::pair{"A8R8G8B8", image::SampleType::kU8},
-                                       std::pair{"A16B16G16R16", image::SampleType::kU16},
-                                       std::pair{"A32B32G32R32F", image::SampleType::kF32}}) {
+    for (const auto& [format, type] :
+         {std::pair{"A8R8G8B8", image::SampleType::kU8}, std::pair{"A16B16G16R16", image::SampleType::kU16},
+          std::pair{"A32B32G32R32F", image::SampleType::kF32}}) {
       SCOPED_TRACE(testing::Message() << format << " " << size.width << "x" << size.height << " seed " << seed);
       const image::Image picture = MakeNoise(size.width, size.height, type, seed++);
       Bench bench(CompileText(Copy(format, "uv")), size.width, size.height);
@@ -47,10 +48,10 @@ TEST(Mapping, EveryTexelSizeSwizzleShiftsByOneTexel) {
     const char* coordinate;
     int x, y;
   };
-  for (const Case& tested : {Case{"uv + TexelSize.xw", 1, 0}, Case{"uv - TexelSize.xw", -1, 0},
-                             Case{"uv + TexelSize.wy", 0, 1}, Case{"uv - TexelSize.wy", 0, -1},
-                             Case{"uv + TexelSize.xy", 1, 1}, Case{"uv - TexelSize.xy", -1, -1},
-                             Case{"uv + TexelSize.zw", 0, 0}}) {
+  for (const Case& tested :
+       {Case{"uv + TexelSize.xw", 1, 0}, Case{"uv - TexelSize.xw", -1, 0}, Case{"uv + TexelSize.wy", 0, 1},
+        Case{"uv - TexelSize.wy", 0, -1}, Case{"uv + TexelSize.xy", 1, 1}, Case{"uv - TexelSize.xy", -1, -1},
+        Case{"uv + TexelSize.zw", 0, 0}}) {
     Bench bench(CompileText(Copy("A32B32G32R32F", tested.coordinate)), kWidth, kHeight);
     bench.Fill("color", picture);
     const PixelMap frame = bench.RunPixels();
@@ -65,39 +66,44 @@ TEST(Mapping, EveryTexelSizeSwizzleShiftsByOneTexel) {
 }
 
 TEST(Mapping, TextureCoordinatesStartAtTheTopLeft) {
-  const PixelMap frame = RunText("texture GBAcolor_A8R8G8B8;\nfloat4 Uv(float2 uv : TEXCOORD0, float2 last : TEXCOORD7) : COLOR "
-                                 "{ return float4(uv, last); }\ntechnique T < string ColorSpace = \"linear\"; >"
-                                 " { pass P { PixelShader = compile ps_2_0 Uv(); } }",
-                                 4, 2);
+  const PixelMap frame = RunText(
+      "texture GBAcolor_A8R8G8B8;\nfloat4 Uv(float2 uv : TEXCOORD0, float2 last : TEXCOORD7) : COLOR "
+      "{ return float4(uv, last); }\ntechnique T < string ColorSpace = \"linear\"; >"
+      " { pass P { PixelShader = compile ps_2_0 Uv(); } }",
+      4, 2);
   EXPECT_RGBA(frame.at(0, 0), 0.125f, 0.25f, 0.125f, 0.25f);
   EXPECT_RGBA(frame.at(3, 1), 0.875f, 0.75f, 0.875f, 0.75f);
 }
 
 TEST(Mapping, PositionsAreInClipSpaceWithYUpwards) {
-  const PixelMap frame = RunText("texture GBAcolor_A8R8G8B8;\nstruct V { float4 p : POSITION; float4 q : TEXCOORD0; };\n"
-                                 "V Vs(float4 p : POSITION) { V v; v.p = p; v.q = p; return v; }\n"
-                                 "float4 Ps(V v) : COLOR { return v.q; }\ntechnique T < string ColorSpace = \"linear\"; >"
-                                 " { pass P { VertexShader = compile vs_2_0 Vs(); PixelShader = compile ps_2_0 Ps(); } }",
-                                 2, 2);
+  const PixelMap frame = RunText(
+      "texture GBAcolor_A8R8G8B8;\nstruct V { float4 p : POSITION; float4 q : TEXCOORD0; };\n"
+      "V Vs(float4 p : POSITION) { V v; v.p = p; v.q = p; return v; }\n"
+      "float4 Ps(V v) : COLOR { return v.q; }\ntechnique T < string ColorSpace = \"linear\"; >"
+      " { pass P { VertexShader = compile vs_2_0 Vs(); PixelShader = compile ps_2_0 Ps(); } }",
+      2, 2);
   EXPECT_RGBA(frame.at(0, 0), -0.5f, 0.5f, 0, 1);
   EXPECT_RGBA(frame.at(1, 1), 0.5f, -0.5f, 0, 1);
 }
 
 TEST(Mapping, VposIsTheIntegerPixel) {
-  const PixelMap frame = RunText("float4 P(float2 p : VPOS) : COLOR { return float4(p, 0, 1); }\n"
-                                 "technique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 P(); } }",
-                                 5, 3);
+  const PixelMap frame = RunText(
+      "float4 P(float2 p : VPOS) : COLOR { return float4(p, 0, 1); }\n"
+      "technique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 P(); } }",
+      5, 3);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) EXPECT_RGBA(frame.at(x, y), static_cast<float>(x), static_cast<float>(y), 0, 1);
   }
 }
 
 TEST(Mapping, DdyGoesDownwards) {
-  EXPECT_RGBA(RunText("texture GBAcolor_A8R8G8B8;\nfloat4 D(float2 uv : TEXCOORD0) : COLOR { return float4(ddx(uv), ddy(uv)); }\n"
-                      "technique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 D(); } }",
-                      4, 8)
-                  .at(1, 1),
-              0.25f, 0, 0, 0.125f);
+  EXPECT_RGBA(
+      RunText(
+          "texture GBAcolor_A8R8G8B8;\nfloat4 D(float2 uv : TEXCOORD0) : COLOR { return float4(ddx(uv), ddy(uv)); }\n"
+          "technique T < string ColorSpace = \"linear\"; > { pass P { PixelShader = compile ps_3_0 D(); } }",
+          4, 8)
+          .at(1, 1),
+      0.25f, 0, 0, 0.125f);
 }
 
 TEST(Mapping, FilesWithoutTheExtensionHaveDirect3DsHalfPixel) {
@@ -117,9 +123,11 @@ TEST(Mapping, FilesWithoutTheExtensionHaveDirect3DsHalfPixel) {
   // An effect that subtracts it gets one to one.
   const std::string corrected =
       "struct V { float4 p : POSITION; float2 uv : TEXCOORD0; };\nfloat2 Size : VIEWPORTPIXELSIZE;\n"
-      "V Vs(float4 p : POSITION, float2 uv : TEXCOORD0) { V v; v.p = p; v.p.xy -= float2(1, -1) / Size; v.uv = uv; return v; }\n"
+      "V Vs(float4 p : POSITION, float2 uv : TEXCOORD0) { V v; v.p = p; v.p.xy -= float2(1, -1) / Size; v.uv = uv; "
+      "return v; }\n"
       "float4 Ps(V v) : COLOR { return float4(v.uv * float2(4, 2), 0, 1); }\n"
-      "technique T < string ColorSpace = \"linear\"; > { pass P { VertexShader = compile vs_2_0 Vs(); PixelShader = compile "
+      "technique T < string ColorSpace = \"linear\"; > { pass P { VertexShader = compile vs_2_0 Vs(); PixelShader = "
+      "compile "
       "ps_2_0 Ps(); } }";
   const PixelMap exact = RunText(corrected, 4, 2);
   EXPECT_TRUE(Near(exact.at(0, 0), {0.5f, 0.5f, 0, 1}, 1.0f / 64));
@@ -133,7 +141,8 @@ TEST(Mapping, AsymmetricKernelsSeeTheRightNeighbours) {
     return Rgba{value, value, value, 1};
   });
   const std::string text =
-      "float4 TexelSize;\ntexture GBAcolor_A32B32G32R32F;\nsampler s = sampler_state { Texture = <GBAcolor_A32B32G32R32F>; "
+      "float4 TexelSize;\ntexture GBAcolor_A32B32G32R32F;\nsampler s = sampler_state { Texture = "
+      "<GBAcolor_A32B32G32R32F>; "
       "AddressU = Clamp; AddressV = Clamp; };\nfloat At(float2 uv) { return tex2D(s, uv).r; }\n"
       "float4 Ps(float2 uv : TEXCOORD0) : COLOR { return float4(At(uv + TexelSize.xw), At(uv - TexelSize.xw), "
       "At(uv + TexelSize.wy), At(uv - TexelSize.wy)); }\ntechnique T { pass P { PixelShader = compile ps_2_0 Ps(); } }";

@@ -70,8 +70,9 @@ TEST(HostValue, KnownOnesWithoutAValueAreNot) {
 TEST(HostValue, ATypeThatCannotHoldTheValueIsWarnedOf) {
   const Found found = Find(kFloat, "WorldViewProjection", "m");
   EXPECT_FALSE(found.host);
-  EXPECT_EQ(found.warnings, (std::vector<std::string>{
-                                "test.fx: parameter 'm' stays at its default: a float cannot hold 'WorldViewProjection'"}));
+  EXPECT_EQ(found.warnings,
+            (std::vector<std::string>{
+                "test.fx: parameter 'm' stays at its default: a float cannot hold 'WorldViewProjection'"}));
 }
 
 TEST(HostValue, TheExtensionsNames) {
@@ -85,8 +86,9 @@ TEST(HostValue, TheExtensionsNames) {
   const Found missing = Find(kFloat4, "", "TexelSize_GBAdepth_R32F");
   EXPECT_FALSE(missing.host);
   EXPECT_EQ(missing.warnings,
-            (std::vector<std::string>{"test.fx: parameter 'TexelSize_GBAdepth_R32F' stays at its default: there is no texture "
-                                      "'GBAdepth_R32F'"}));
+            (std::vector<std::string>{
+                "test.fx: parameter 'TexelSize_GBAdepth_R32F' stays at its default: there is no texture "
+                "'GBAdepth_R32F'"}));
 }
 
 TEST(HostValue, TexelSizeIsTheReciprocalWithZeros) {
@@ -103,7 +105,7 @@ TEST(HostValue, TexelSizeIsTheReciprocalWithZeros) {
 
 TEST(HostValue, MatricesAreWrittenAsRows) {
   FrameContext context;
-  context.world_from_object[3] = {5, 6, 7, 1};   // a translation: the last row for row vectors
+  context.world_from_object[3] = {5, 6, 7, 1};  // a translation: the last row for row vectors
   std::vector<double> numbers(16, 0);
   Evaluate(*Find(kMatrix, "World").host, context, {}, kMatrix, false, numbers);
   EXPECT_EQ(numbers, (std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}));

@@ -189,9 +189,10 @@ TEST(ParserDeclaration, ReportsAStrayBraceAndAStrayPass) {
 TEST(ParserDeclaration, TakesNamesOfNamespacesWhole) {
   EXPECT_EQ(DumpText("float y; namespace A { float x; namespace B { float z = x + y; } }; float w = A::B::z + ::y;"),
             "[float y]\n[float A::x]\n[float A::B::z = (+ A::x y)]\n[float w = (+ A::B::z y)]");
-  EXPECT_EQ(DumpText("namespace A { struct S { float x; }; S s; float f(float x, S s) { S x; return s.x; } } A::S t;"),
-            "(struct A::S [float x])\n[A::S A::s]\n(function float A::f [float x] [A::S s] { (var [A::S x]) (return (. s "
-            "x)) })\n[A::S t]");
+  EXPECT_EQ(
+      DumpText("namespace A { struct S { float x; }; S s; float f(float x, S s) { S x; return s.x; } } A::S t;"),
+      "(struct A::S [float x])\n[A::S A::s]\n(function float A::f [float x] [A::S s] { (var [A::S x]) (return (. s "
+      "x)) })\n[A::S t]");
   EXPECT_EQ(DumpText("namespace A { float x;"),
             "1:23 error: expected '}' to end the namespace, found end of file [X3000]\n  1:13 to match this\n");
 }

@@ -84,8 +84,9 @@ TEST(ParserTechnique, ReportsAFaultInASamplerStateBlock) {
 }
 
 TEST(ParserTechnique, ReportsWhatIsNoPass) {
-  EXPECT_EQ(DumpText("technique T { ZEnable = true; pass P { } }"),
-            "1:15 error: expected 'pass' or '}' in technique 'T' (states stand inside a pass), found 'ZEnable' [X3000]\n");
+  EXPECT_EQ(
+      DumpText("technique T { ZEnable = true; pass P { } }"),
+      "1:15 error: expected 'pass' or '}' in technique 'T' (states stand inside a pass), found 'ZEnable' [X3000]\n");
   EXPECT_EQ(DumpText("technique T < string a = \"x\"; > ;"),
             "1:33 error: expected '{' to begin technique 'T', found ';' [X3000]\n");
 }
