@@ -13,6 +13,7 @@
 #include "core/gbuffer/cube_face.h"
 #include "core/gbuffer/environment.h"
 #include "core/gl/debug.h"
+#include "core/image/srgb.h"
 
 namespace burin::gbuffer {
 namespace {
@@ -21,9 +22,7 @@ constexpr int kFaces = 6;
 constexpr int kFaceSize = 128;
 
 std::uint8_t Encode(float linear) {
-  const float c = std::clamp(linear, 0.0f, 1.0f);
-  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(encoded * 255.0f));
+  return static_cast<std::uint8_t>(std::lround(image::SrgbFromLinear(std::clamp(linear, 0.0f, 1.0f)) * 255.0f));
 }
 
 std::vector<std::uint8_t> Texels(const EnvironmentMap& map) {

@@ -7,14 +7,13 @@
 
 #include "core/gbuffer/environment.h"
 #include "core/gbuffer/equirectangular.h"
+#include "core/image/srgb.h"
 
 namespace burin::gbuffer {
 namespace {
 
 constexpr float kPi = glm::pi<float>();
 constexpr float kMaxRadiance = 65504.0f;  // reflections are kept as halves
-
-float SrgbDecode(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 float Sample(const image::Image& image, std::size_t i) {
   switch (image.type) {
@@ -49,7 +48,7 @@ Result<EnvironmentMap> EnvironmentFromImage(const image::Image& image) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       float value = Sample(image, i * channels + (channels >= 3 ? c : 0));
-      if (image.encoding == image::Encoding::kDisplay) value = SrgbDecode(value);
+      if (image.encoding == image::Encoding::kDisplay) value = image::LinearFromSrgb(value);
       map.pixels[i][static_cast<glm::length_t>(c)] = Clean(value);
     }
   }

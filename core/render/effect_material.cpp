@@ -2,8 +2,9 @@
 #include "core/render/effect_material.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
+
+#include "core/image/srgb.h"
 
 namespace burin::render {
 namespace {
@@ -11,10 +12,7 @@ namespace {
 constexpr float kLeastPower = 4.0f;
 constexpr float kMostPower = 128.0f;
 
-float Encode(float linear) {
-  const float c = std::clamp(linear, 0.0f, 1.0f);
-  return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
-}
+float Encode(float linear) { return image::SrgbFromLinear(std::clamp(linear, 0.0f, 1.0f)); }
 
 glm::vec3 Encode(const glm::vec3& linear) { return {Encode(linear.r), Encode(linear.g), Encode(linear.b)}; }
 
