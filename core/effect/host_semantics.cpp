@@ -371,7 +371,7 @@ std::vector<HostPart> FindHostParts(const fx::Parameter& parameter) {
       const auto meaning = fx::MeaningOfSasAddress(address + "." + member->name);
       const auto host = meaning ? FindByMeaning(parameter, *meaning, meaning->semantic) : std::nullopt;
       if (host && Fits(host->kind, member->type)) parts.push_back({offset, member->type, *host});
-      offset += static_cast<std::size_t>(fx::FlatComponents(member->type));
+      offset += static_cast<std::size_t>(std::max(fx::FlatComponents(member->type), 0L));  // below 0: no numbers
     }
   }
   return parts;

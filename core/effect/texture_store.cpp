@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "core/effect/cube_texture.h"
 #include "core/effect/srgb_view.h"
@@ -45,6 +46,21 @@ bool IsGivenByHost(const fx::Effect& effect, const Schedule& schedule, std::size
   return true;
 }
 
+// Direct3D 9 itself has no such look-ups; what some of its drivers gave for them is a shadow map's comparison.
+void WarnOfDepthLookUps(const fx::Effect& effect, const Schedule& schedule, std::vector<std::string>& warnings) {
+  std::set<std::size_t> told;
+  for (const Step& step : schedule.steps) {
+    if (step.kind != Step::Kind::kPass) continue;
+    for (const std::size_t sampler : fx::SamplersOf(effect.techniques[step.technique].passes[step.pass])) {
+      const auto& texture = effect.samplers[sampler].texture;
+      const auto* role = texture ? std::get_if<fx::ScriptTargetRole>(&effect.textures[*texture].role) : nullptr;
+      if (role == nullptr || !role->is_depth_stencil || !told.insert(*texture).second) continue;
+      warnings.push_back(fmt::format("{}: texture '{}' is a depth-stencil target: looked up, it is white", effect.path,
+                                     effect.textures[*texture].name));
+    }
+  }
+}
+
 std::string_view InsteadOf(TextureMeaning meaning) {
   return meaning == TextureMeaning::kEnvironment ? "the surroundings are shown" : "what is drawn gives its own";
 }
@@ -66,6 +82,7 @@ Result<TextureStore> TextureStore::Create(const fx::Effect& effect, Schedule& sc
       }
     }
   }
+  WarnOfDepthLookUps(effect, schedule, warnings);
   for (const std::size_t index : schedule.files) {
     const bool is_given = IsGivenByHost(effect, schedule, index, store.slots_[index].meaning, options);
     if (auto added = store.AddFile(effect, index, overrides, options, is_given, warnings); !added) {

@@ -174,6 +174,16 @@ TEST_F(HostTexture, CubesAreReadFromTheirFaces) {
       "column");
 }
 
+TEST_F(HostTexture, DepthStencilTargetsAreWhiteWithAWarning) {
+  const std::string text =
+      "texture d : RENDERDEPTHSTENCILTARGET; sampler s = sampler_state { Texture = <d>; };\n"
+      "float4 PS(float2 u : TEXCOORD0) : COLOR { return tex2D(s, u); }\n"
+      "technique T { pass P { PixelShader = compile ps_2_0 PS(); } }";
+  EXPECT_RGBA8(Run(text, Options()), 1, 1, 1, 1);
+  EXPECT_EQ(warnings_,
+            (std::vector<std::string>{"test.fx: texture 'd' is a depth-stencil target: looked up, it is white"}));
+}
+
 TEST_F(HostTexture, NormalMapsAreTheObjectsOrFlat) {
   const std::string text = kObject +
                            "texture n : NORMAL; sampler s = sampler_state { Texture = <n>; };\nfloat4 PS(float2 u : "
